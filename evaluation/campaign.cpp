@@ -18,7 +18,7 @@
 namespace vandplan::evaluation {
 namespace {
 
-// Planners that have equally many repeats: indices into the campaign.
+// Planners with equally many repeats, as indices into the campaign.
 struct Lineup {
   int repeats = 0;
   int repeats_per_goal = 0;
@@ -30,11 +30,11 @@ struct Turn {
   std::size_t scenario = 0;
   std::size_t goal = 0;
   int repeat = 0;
-  double when = 0.0;  // in (0, 1): where in the campaign it belongs
+  double when = 0.0;  // position of the turn in the campaign, in (0, 1)
   const std::vector<std::size_t>* planners = nullptr;
 };
 
-// Without planners yet.
+// Lineup of a planner, still without planners.
 Lineup lineup_of(const Campaign& campaign, const Planner& planner) {
   Lineup lineup{campaign.repeats, campaign.repeats_per_goal, {}};
   for (const RepeatCap& cap : campaign.caps) {
@@ -123,8 +123,8 @@ std::vector<std::size_t> profiled_planners(const Campaign& campaign) {
   return found;
 }
 
-// One run more on each problem, the middle one of a row of goals. Measuring slows a run down, so
-// these are kept apart from those whose time counts.
+// One additional run on each scenario, in a row of goals to the middle goal. Measuring slows a run
+// down, so profiled runs are kept apart from those whose time counts.
 std::vector<Turn> profiling_turns_of(const Campaign& campaign,
                                      const std::vector<std::size_t>& planners) {
   std::vector<Turn> turns;
@@ -133,7 +133,7 @@ std::vector<Turn> profiling_turns_of(const Campaign& campaign,
   return turns;
 }
 
-// Makes the runs of turns.
+// Builds the list of runs from turns.
 class RunList {
  public:
   explicit RunList(const Campaign& campaign) : campaign_(campaign), shard_(campaign) {}
@@ -179,7 +179,7 @@ class RunList {
 
   const Campaign& campaign_;
   ShardFilter shard_;
-  // By planner, scenario and region.
+  // Options by planner, scenario and region.
   std::map<std::tuple<std::size_t, std::size_t, Region>, SharedOptions> options_;
   std::vector<RunSpec> runs_;
 };
@@ -188,7 +188,7 @@ std::string counted(std::size_t count, const std::string& what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-// A line "  40 = 2 planners x ...", and its sum.
+// Lines such as " 40 = 2 planners x ...", and the total.
 class Sum {
  public:
   void add(const std::vector<std::pair<std::size_t, std::string>>& factors,

@@ -40,7 +40,7 @@ Comparison write_report(const Report& report, const std::string& folder) {
 
 Comparison compare(const Campaign& campaign, const std::string& folder,
                    const RunnerOptions& options) {
-  static_cast<void>(explain_runs(campaign));  // refuses what is no good before anything is made
+  static_cast<void>(explain_runs(campaign));  // throws for a bad campaign before anything is made
   Store store = store_in(folder);
   if (const auto shard = store.shard()) {
     throw InputError(store_file(folder), "holds shard " + text_of(shard->shard) +

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// (internal) Which files does a comparison leave in its folder?
+// (internal) Which files does a comparison write into its folder?
 
 #include <string>
 
@@ -10,16 +10,17 @@
 
 namespace vandplan::evaluation {
 
-/// The file of the store in a folder.
+/// Path of the store's file in a folder.
 [[nodiscard]] std::string store_file(const std::string& folder);
 
-/// Throws InputError if there cannot be a folder of that name.
+/// Makes a folder if it does not exist. Throws InputError if that fails.
 void make_folder(const std::string& folder);
 
-/// The store in a folder; both are made if they are not there. Throws InputError if that fails.
+/// Opens the store in a folder. Makes folder and store if they do not exist. Throws InputError if
+/// that fails.
 [[nodiscard]] Store store_in(const std::string& folder);
 
-/// Writes the reports into a folder.
+/// Writes page, text and gallery of a report into a folder. Returns their paths and the headline.
 [[nodiscard]] Comparison write_report(const Report& report, const std::string& folder);
 
 }  // namespace vandplan::evaluation

@@ -16,7 +16,7 @@
 namespace vandplan::evaluation {
 namespace {
 
-// What follows `key` and a separator on the first line that begins with it, without quotes.
+// Text behind `key` and a separator on the first line that begins with `key`, without quotes.
 std::string value_of(const char* file, const std::string& key) {
   std::ifstream input(file);
   for (std::string line; std::getline(input, line);) {
@@ -39,7 +39,8 @@ std::string fingerprint(const char* file) {
 
 Environment this_environment() {
   const BuildInfo build = build_info();
-  // Tens of megabytes, the same as long as the program runs.
+  // The file has tens of megabytes and does not change while the program runs, so it is hashed
+  // once.
   static const std::string executable = fingerprint("/proc/self/exe");
   return {.version = std::string(build.version),
           .compiler = std::string(build.compiler),

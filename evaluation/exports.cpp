@@ -90,8 +90,8 @@ Json run_json(const RunRecord& run) {
 
 // ---- OMPL ----
 
-// The tables and columns that ompl_benchmark_statistics.py makes and Planner Arena reads: it knows
-// the first twelve columns of experiments, any further one is a parameter of the problem.
+// Tables and columns that ompl_benchmark_statistics.py makes and Planner Arena reads. The first
+// twelve columns of experiments are fixed; further columns are parameters of the problem.
 constexpr const char* ompl_tables = R"(
 CREATE TABLE experiments(
   id INTEGER PRIMARY KEY AUTOINCREMENT, name VARCHAR(512), totaltime REAL, timelimit REAL,
@@ -169,7 +169,8 @@ class OmplWriter {
   std::int64_t planner_of(const RunRecord& run) {
     PlanOptions options = *run.options;
     if (options.planner.find("region") != nullptr)
-      options.planner.set("region", std::string("bounds"));  // a parameter of the experiment
+      // The region is a parameter of the experiment.
+      options.planner.set("region", std::string("bounds"));
     const std::string settings = options_to_json(options);
     std::int64_t& id = planners_[{run.planner, settings}];
     if (id == 0) {
@@ -190,7 +191,7 @@ class OmplWriter {
   std::map<std::pair<std::string, std::string>, std::int64_t> planners_;
 };
 
-/// Writes one file into another, as everything is written that a user names.
+/// Copies a file with `FileWriter`, like every file that a user names.
 void copy_through(const std::string& from, const std::string& to) {
   std::ifstream input(from, std::ios::binary);
   FileWriter output(to);

@@ -9,14 +9,15 @@
 
 namespace vandplan::evaluation {
 
-/// One line for each run, a head with names and units above; what there is not is empty.
+/// CSV with one line for each run, below a header with names and units. Missing values are empty.
 [[nodiscard]] std::string runs_to_csv(Store& store);
 
-/// Everything: environments, scenarios, runs with options, cost over time and path.
+/// JSON of all environments and scenarios, and of all runs with options, cost over time and path.
 [[nodiscard]] std::string runs_to_json(Store& store);
 
-/// Writes a benchmark database of OMPL, which Planner Arena shows. Each scenario, region and goal
-/// is an experiment; region and distance are its parameters. Replaces the file.
+/// Writes an OMPL benchmark database, which Planner Arena displays. Each scenario, region and goal
+/// is an experiment, with region and distance as parameters. Replaces the file. Profiled runs are
+/// left out.
 void write_ompl_database(Store& store, const std::string& file);
 
 }  // namespace vandplan::evaluation

@@ -28,7 +28,7 @@ std::vector<Pooled> pooled_tables(const Summary& summary, const Circumstances& w
   return found;
 }
 
-// One comparison and where it was made.
+// A comparison with its scenario.
 struct Compared {
   const TwinComparison* twins;
   std::size_t scenario;
@@ -48,7 +48,7 @@ std::vector<Compared> table_comparisons(const Summary& summary, const Circumstan
   return found;
 }
 
-// The largest difference of one kind that is more than chance.
+// Largest difference of one kind beyond chance.
 std::optional<Compared> extreme(const std::vector<Compared>& comparisons, Verdict kind) {
   std::optional<Compared> best;
   for (const Compared& comparison : comparisons) {
@@ -121,7 +121,8 @@ Finding up_to(const Summary& summary, const Circumstances& where,
   return finding;
 }
 
-// The planners of some kind with the least median cost at the end, and in how many scenarios.
+// Planners of a kind that have the least median cost at the end most often, and in how many
+// scenarios.
 struct Winner {
   std::string names;
   int scenarios = 0;
@@ -149,7 +150,7 @@ Winner winner(const Summary& summary, Region region, Kind is_of_kind) {
   return best;
 }
 
-// The largest gain that a table brings in one scenario.
+// Sentence on the largest gain of a table in one scenario.
 std::string gain_sentence(const Summary& summary, const Circumstances& where,
                           const std::vector<ScenarioFile>& scenarios) {
   const auto best =
@@ -176,7 +177,7 @@ std::string gain_sentence(const Summary& summary, const Circumstances& where,
                      scenario, change_text(best->result.ratio));
 }
 
-// With how many tables each strategy ends better over all scenarios.
+// Sentences on each strategy: with how many tables it ends better or worse over all scenarios.
 std::string together_sentence(const std::vector<Pooled>& tables) {
   std::vector<std::string> strategies;
   for (const Pooled& table : tables) {
@@ -200,7 +201,7 @@ std::string together_sentence(const std::vector<Pooled>& tables) {
   return text;
 }
 
-// What the tables bring; empty where none was run beside Euclid.
+// Sentences on the gain of the tables; empty if no table was run beside Euclid.
 std::string tables_sentences(const Summary& summary, const Circumstances& where,
                              const std::vector<ScenarioFile>& scenarios) {
   const std::vector<Pooled> tables = pooled_tables(summary, where);
@@ -210,7 +211,7 @@ std::string tables_sentences(const Summary& summary, const Circumstances& where,
                      gain_sentence(summary, where, scenarios), together_sentence(tables));
 }
 
-// "as printed (bounds, scene), goal tried (bounds)": where a claim holds.
+// Circumstances in which a claim holds: "as printed (bounds, scene), goal tried (bounds)".
 std::string places_text(const std::vector<Finding>& findings, const std::string& claim) {
   std::string text;
   for (const GoalSetting setting : {GoalSetting::sampled, GoalSetting::tried}) {
@@ -225,10 +226,10 @@ std::string places_text(const std::vector<Finding>& findings, const std::string&
   return text;
 }
 
-// "BSC" and the like; nothing of planners that have no strategy.
+// Whether a planner is a random tree: only random trees have a strategy, such as "BSC".
 bool is_random_tree(const MethodSummary& method) { return !method.properties.strategy.empty(); }
 
-// The trees of the thesis, in either setting; other searches may be guided by its tables as well.
+// Family of the thesis' trees, in either setting. Other searches may use its tables as well.
 constexpr std::string_view thesis_family = "rrt";
 
 }  // namespace

@@ -15,15 +15,15 @@ namespace {
 
 using base::printable;
 
-constexpr int cell_width = 360;  // [pixels]
+constexpr int cell_width = 360;  // width of a cell [pixels]
 
-// Whether a run is a better example: of a row, the further goal counts first.
+// Whether a run is a better example than another. In a row of goals the further goal counts first.
 bool is_better(const RunRecord& run, const RunRecord& other) {
   if (run.goal != other.goal) return run.goal > other.goal;
   return final_cost(run) < final_cost(other);
 }
 
-// The best run of a scenario, whoever made it; none if nobody solved it.
+// Best run of a scenario, of any planner; null if nobody solved it.
 const RunRecord* best_run(const Report& report, std::size_t scenario) {
   const RunRecord* best = nullptr;
   for (const ScenarioSummary& summary : report.summary.scenarios) {

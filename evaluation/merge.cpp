@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-// How do the stores of all shards become one, the same for every number of shards?
+// How do the stores of all shards become one store that does not depend on the number of shards?
 //
-// All rows get their place by what was put in (scenario, goal, region, planner, options, seed), and
-// SQLite writes the tables anew in that order. Everything is done in SQL: no run has to fit in
-// memory.
+// Rows are ordered by the input: scenario, goal, region, planner, options, seed. SQLite then writes
+// the tables anew in that order. SQL does everything, so no run has to fit in memory.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,7 +30,7 @@ std::string file_of_store(const std::string& store) {
   return fs::is_directory(store) ? store_file(store) : store;
 }
 
-// Throws InputError when the store is no complete shard.
+// Reads the head of a shard's store. Throws InputError when the store is no complete shard.
 Part part_in(const std::string& named) {
   const std::string file = file_of_store(named);
   Store store = Store::open(file);
@@ -71,7 +70,7 @@ void check_alike(const Part& first, const Part& part) {
   }
 }
 
-// In the order of their numbers. Throws InputError unless they are a whole campaign.
+// Parts of a campaign, in the order of their numbers. Throws InputError unless they are complete.
 std::vector<Part> parts_of(const std::vector<std::string>& stores) {
   std::vector<Part> parts;
   for (const std::string& store : stores) {
@@ -98,7 +97,7 @@ std::vector<Part> parts_of(const std::vector<std::string>& stores) {
   return parts;
 }
 
-// Another store's tables beside ours, as "part".
+// Attaches another store's tables under the name "part".
 class Attached {
  public:
   Attached(Database& database, const std::string& file) : database_(database) {
@@ -107,7 +106,7 @@ class Attached {
   ~Attached() {
     try {
       database_.execute("DETACH part");
-    } catch (const InputError&) {  // it goes with the database
+    } catch (const InputError&) {  // closing the database detaches it too
     }
   }
   Attached(const Attached&) = delete;
@@ -123,7 +122,7 @@ void copy_head(Database& whole, const Part& part) {
     whole.execute(fmt::format("INSERT INTO {0} SELECT * FROM part.{0}", table));
 }
 
-// Maps are no part of what a campaign says of itself.
+// Compares the maps of a shard with ours, because the description of a campaign has no maps.
 void check_scenarios(Database& whole, const Part& part) {
   constexpr const char* columns = "SELECT id, yaml, ifnull(map, '') FROM";
   const auto differing = whole.integer(
@@ -147,7 +146,7 @@ void copy_configurations(Database& whole, const std::vector<Part>& parts) {
       "INSERT INTO configurations SELECT NULL, planner, options FROM found ORDER BY 2, 3");
 }
 
-// Where each run of each shard goes: ids from 1 in the order of what was put in.
+// Assigns new ids to the runs of all shards, from 1 in the order of the input.
 void rank_runs(Database& whole, const std::vector<Part>& parts) {
   whole.execute(
       "CREATE TEMP TABLE keys(part INTEGER, run INTEGER, scenario INTEGER, goal INTEGER,"
@@ -168,7 +167,8 @@ void rank_runs(Database& whole, const std::vector<Part>& parts) {
       "DROP TABLE keys");
 }
 
-// What was measured, or, where every machine finds the same, nothing: infinite, that is, not known.
+// Columns of measured values. Where every machine finds the same, times are not kept: infinite
+// means unknown.
 struct Measured {
   const char* columns;
   const char* time;
@@ -203,7 +203,7 @@ void copy_runs(Database& whole, const Part& part, bool is_repeatable) {
       " planning_time, judging_time, storing_time FROM part.sessions ORDER BY id");
 }
 
-// Of runs that every machine repeats the store names no machine.
+// Whether a store names no machine, because every machine repeats its runs.
 bool names_no_machine(const std::vector<Environment>& environments) {
   return environments.empty() || environments.front().cores == 0;
 }
@@ -214,7 +214,7 @@ void join(const std::vector<Part>& parts, const std::string& file) {
   { const Store empty = Store::create(unordered); }
   {
     Database whole(unordered, Database::Mode::write);
-    // Until all of it is written anew below nobody else sees it.
+    // Nobody else sees the file before it is written anew below, so it needs no journal.
     whole.execute(
         "PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; PRAGMA cache_size = -200000");
     copy_head(whole, parts.front());

@@ -13,9 +13,10 @@ namespace {
 
 constexpr std::string_view euclid = "euclid";
 constexpr std::array<std::string_view, 4> tables = {"hlut-1", "hlut-2", "hlut-3", "hlut-4"};
-// The planners of the literature that the thesis builds on: compared with each estimate.
+// Group of the planners of the literature that the thesis builds on; each is run with every
+// estimate.
 constexpr std::string_view family_group = "family";
-// Beside each single estimate.
+// Combined estimates that are run beside every single one.
 constexpr std::array<std::string_view, 2> combined = {"max-hlut-4-grid", "max-hlut-4-any-angle"};
 
 const Planner* named(std::string_view name, std::span<const Planner> planners) {
@@ -23,7 +24,7 @@ const Planner* named(std::string_view name, std::span<const Planner> planners) {
   return found == planners.end() ? nullptr : &*found;
 }
 
-// A search that takes an estimate, once with each that needs nothing else; empty for another one.
+// Variants of a search with each estimate that needs no other input; empty if it takes no estimate.
 std::vector<Planner> with_each_estimate(const Planner& planner) {
   const auto option = std::ranges::find(planner.options, "estimate", &OptionInfo::name);
   if (option == planner.options.end()) return {};

@@ -12,7 +12,7 @@ namespace {
 
 double length_of(const Segment& segment) { return std::abs(segment.length); }
 
-/// How far the heading changes, to either side [rad].
+/// Sum of the absolute changes of heading along a segment [rad].
 double turning_of(const Segment& segment) {
   const double length = length_of(segment);
   if (segment.curvature_rate == 0.0) return std::abs(segment.curvature * length);
@@ -22,12 +22,13 @@ double turning_of(const Segment& segment) {
   return (first * first + last * last) / std::abs(segment.curvature_rate) / 2;
 }
 
-/// Whether the wheel has to be turned between two segments; a clothoid ends where it should but for
-/// rounding.
+/// Whether the wheel has to be turned between two segments. The end of a clothoid has rounding
+/// errors.
 bool jumps(const Segment& before, const Segment& segment) {
   const double jump = std::abs(curvature_at(before, length_of(before)) - segment.curvature);
   const bool is_rounded = before.curvature_rate != 0.0 || segment.curvature_rate != 0.0;
-  constexpr double rounding = 1e-9;  // [1/m]
+  // Rounding error of the curvature at the end of a clothoid [1/m].
+  constexpr double rounding = 1e-9;
   return jump > (is_rounded ? rounding : 0.0);
 }
 

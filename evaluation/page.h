@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What is the report's page made of? The files of page/ and Debian's D3, put in by the build.
+// Which files make the report's page? Those of page/, and Debian's D3; the build embeds them.
 
 #include <string_view>
 
@@ -12,7 +12,7 @@ extern const std::string_view css;
 extern const std::string_view d3;
 extern const std::string_view d3_licence;
 
-// The parts of the program, in order.
+// Parts of the JavaScript program, in order.
 extern const std::string_view js_data;
 extern const std::string_view js_methods;
 extern const std::string_view js_tables;

@@ -8,7 +8,7 @@
 namespace vandplan::evaluation {
 namespace {
 
-// What is gathered of a planner on the way.
+// Values of a planner, collected over scenarios.
 struct Gathered {
   std::vector<double> ratios;
   std::vector<double> exact_solves;

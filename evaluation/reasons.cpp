@@ -15,7 +15,7 @@ namespace {
 
 constexpr int number_of_tables = 4;
 
-// In order of appearance.
+// Strategies with a Euclid twin, in order of appearance.
 std::vector<std::string> strategies_of(const Summary& summary) {
   std::vector<std::string> found;
   for (const ScenarioSummary& scenario : summary.scenarios) {
@@ -32,13 +32,13 @@ const MethodSummary* method_of(const ScenarioSummary& scenario, const std::strin
   return found == scenario.methods.end() ? nullptr : &*found;
 }
 
-// What a table and Euclid do, over all scenarios of a region and all tables of a strategy.
+// Figures of tables and of Euclid, over all scenarios of a region and all tables of a strategy.
 struct Effect {
   int pairs = 0, better = 0, worse = 0;
   int runs = 0, solved = 0, twin_runs = 0, twin_solved = 0;
-  std::vector<double> slower;                 // an iteration's time over that of Euclid's
-  std::vector<double> ranking, twin_ranking;  // shares of the time
-  std::vector<double> solves, twin_solves;    // exact lengths for one iteration
+  std::vector<double> slower;                 // time of an iteration, relative to Euclid
+  std::vector<double> ranking, twin_ranking;  // shares of ranking in the time
+  std::vector<double> solves, twin_solves;    // exact lengths per iteration
 };
 
 void add(const MethodSummary& method, const MethodSummary& twin, Effect& effect) {
@@ -85,7 +85,7 @@ double middle(std::vector<double> values) {
   return quantile(values, 0.5);
 }
 
-// One sentence for each strategy that ran, with its name before it.
+// One sentence for each strategy that was run, after its name.
 template <class Sentence>
 std::string for_each_strategy(const Summary& summary, const Circumstances& where,
                               Sentence sentence) {

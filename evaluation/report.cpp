@@ -18,27 +18,27 @@
 namespace vandplan::evaluation {
 namespace {
 
-// Which scenario a file holds now: index in the store by file.
+// Index in the store of the scenario that each file holds now.
 using Current = std::map<std::string, std::size_t>;
 
-// How long a run might last.
+// Limits of a run: time and iterations.
 using Limits = std::pair<std::optional<double>, std::optional<std::int64_t>>;
 
 Limits limits_of(const PlanOptions& options) {
   return {options.budget.time_limit, options.budget.max_iterations};
 }
 
-// The runs to tell of: of one program and machine, of equal limits, of files as they are now.
+// Choice of the runs of a report: one environment, equal limits, current files.
 struct Choice {
   std::size_t environment = 0;
   Limits limits = {};
-  std::vector<Planner> planners = {};  // whose properties the store does not know
-  // Options of the planner's runs of a stored scenario; by default those of the last run.
+  std::vector<Planner> planners = {};  // planners whose properties the store does not know
+  // Options by planner and stored scenario; by default those of the last run.
   std::map<std::pair<std::string, std::size_t>, ComparableOptions> options = {};
-  Current files = {};  // of others what they held at the last run
+  Current files = {};  // current scenarios of files; other files have that of their last run
 };
 
-// The text of options that many runs share is made once.
+// Texts of options; options that many runs share are converted once.
 class OptionTexts {
  public:
   const ComparableOptions& of(const RunRecord& run) {
@@ -51,7 +51,7 @@ class OptionTexts {
   std::map<const void*, ComparableOptions> known_;
 };
 
-// For each scenario the index of the first one with an equal vehicle.
+// Index of the first scenario with an equal vehicle, for each scenario.
 std::vector<std::size_t> vehicles_of(const std::vector<ScenarioFile>& scenarios) {
   std::vector<std::size_t> vehicles;
   for (const ScenarioFile& scenario : scenarios) {
@@ -87,7 +87,7 @@ void keep_comparable(const Choice& choice, const std::vector<ScenarioFile>& scen
   });
 }
 
-// The paths that a report shows.
+// Reads the segments of the paths that a report shows.
 void read_examples(Store& store, Report& report) {
   for (const ScenarioSummary& scenario : report.summary.scenarios) {
     for (const MethodSummary& method : scenario.methods) {
@@ -129,7 +129,7 @@ Report make_report(Store& store, std::vector<RunRecord> runs, const Choice& choi
   return report;
 }
 
-// An option on the command line; `json` is its value.
+// Text of an option on the command line; `json` is its value.
 std::string flag(const std::string& name, const std::string& json) {
   const bool is_word = json.starts_with('"');
   const std::string value = is_word ? OrderedJson::parse(json).get<std::string>() : json;
@@ -160,8 +160,7 @@ Report make_report(Store& store, const Campaign& campaign) {
   return make_report(store, store.runs_without_segments(), choice);
 }
 
-// A run that was cut by the clock made a number of iterations: with that as its limit it is the
-// same run.
+// A run that the clock ended is repeated with its number of iterations as the limit.
 std::string reproduce_command(const Report& report, const RunRecord& run) {
   PlanOptions shown = *run.options;
   shown.budget.time_limit.reset();
@@ -172,7 +171,7 @@ std::string reproduce_command(const Report& report, const RunRecord& run) {
   usual.budget = {};
   const bool has_prices = is_ours && planner->properties.honours_prices;
   const bool has_style = has_prices && is_length(shown.cost);
-  if (has_prices) usual.cost = {};  // a driver's prices depend on the vehicle
+  if (has_prices) usual.cost = {};  // prices of a style depend on the vehicle
   if (has_style) {
     usual.cost = shortest_style;
     usual.steering = Steering::reeds_shepp;

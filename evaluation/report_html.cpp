@@ -18,10 +18,10 @@ namespace {
 
 using Json = OrderedJson;
 
-constexpr std::size_t most_listed_runs = 20000;  // more make a page that nobody can open
-constexpr int largest_map_image = 1000;          // along a side [pixels]
+constexpr std::size_t most_listed_runs = 20000;  // a page with more runs is too large to open
+constexpr int largest_map_image = 1000;          // largest side of the picture of a map [pixels]
 
-// Six digits are more than a page can show.
+// Rounds all numbers to six digits, more than the page shows.
 Json rounded(Json json) {
   if (json.is_structured())
     for (Json& part : json) part = rounded(std::move(part));
@@ -58,7 +58,7 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-// A picture of the map, and where it lies.
+// Picture of a map, and its place.
 Json map_json(const OccupancyGrid& map) {
   const MapImage image = map_image(map, largest_map_image);
   return {{"image", "data:image/png;base64," + base64(image.png)},
@@ -67,10 +67,10 @@ Json map_json(const OccupancyGrid& map) {
           {"extent", {map.columns * map.resolution, map.rows * map.resolution}}};
 }
 
-// Scenarios on the same cells share one picture.
+// List of maps; scenarios with the same cells share one picture.
 class MapList {
  public:
-  // The index of a map in the list, null without a map.
+  // Index of a map in the list; null without a map.
   Json index_of(const std::optional<OccupancyGrid>& map) {
     if (!map) return nullptr;
     const auto [found, is_new] = indices_.try_emplace(map->cells.get(), list_.size());
@@ -124,8 +124,8 @@ Json path_json(const RunRecord& run) {
   return segments;
 }
 
-// Which runs the page lists, and where: all of them, or of very many those that it shows and others
-// evenly spread.
+// Runs that the page lists, with their rows. If there are too many, it lists the examples and a
+// part of all runs, evenly spread.
 class ListedRuns {
  public:
   explicit ListedRuns(const Report& report) {
@@ -140,12 +140,12 @@ class ListedRuns {
     std::size_t next = 0;
     for (auto& [run, row] : row_) row = next++;
   }
-  // Index of a run that is listed.
+  // Row of a run that is listed.
   std::size_t row_of(std::size_t run) const { return row_.at(run); }
   const std::map<std::size_t, std::size_t>& all() const { return row_; }
 
  private:
-  std::map<std::size_t, std::size_t> row_;  // by index in the report
+  std::map<std::size_t, std::size_t> row_;  // rows by index of the run in the report
 };
 
 Json example_json(const Report& report, const ListedRuns& listed,
@@ -182,7 +182,7 @@ Json method_json(const Report& report, const ListedRuns& listed, const MethodSum
   return json;
 }
 
-// With the changes in words.
+// Comparison with its Euclid twin; changes are given as words, too.
 Json twin_json(const TwinComparison& twins) {
   Json json = json_of(twins);
   for (const auto& [key, comparison] : {std::pair("cost", &twins.cost),
@@ -211,7 +211,7 @@ Json cells_json(const Report& report, const ListedRuns& listed) {
   return cells;
 }
 
-// One short row for each run; the page finds the columns by their names.
+// One short row for each run; the page finds columns by name.
 Json runs_json(const Report& report, const ListedRuns& listed) {
   Json rows = Json::array();
   for (const auto& [index, row] : listed.all()) {
@@ -256,7 +256,7 @@ Json data_of(const Report& report) {
           {"runs", runs_json(report, listed)}};
 }
 
-// The parts of the program share one scope, which nothing else on the page can see.
+// The program of the page. Its parts share one scope, which nothing else on the page can see.
 std::string program() {
   std::string text = "(function () {\n'use strict';\n";
   for (const std::string_view part :
@@ -267,7 +267,7 @@ std::string program() {
   return text + "})();\n";
 }
 
-// Puts `value` in the place of a mark.
+// Replaces a mark by `value`.
 void fill(std::string& page, std::string_view mark, std::string_view value) {
   page.replace(page.find(mark), mark.size(), value);
 }
@@ -287,7 +287,7 @@ std::string report_html(const Report& report, std::string_view gallery) {
   fill(page, "/*D3*/", page::d3);
   fill(page, "/*PROGRAM*/", program());
   fill(page, "<!--SHEET-->", image);
-  fill(page, "/*DATA*/", data);  // last: it may hold any text
+  fill(page, "/*DATA*/", data);  // last, because it may contain any text
   return page;
 }
 

@@ -140,7 +140,8 @@ OrderedJson verdicts_json(const std::vector<Finding>& findings) {
 }
 
 OrderedJson rejected_json(const std::vector<RunRecord>& runs) {
-  std::map<std::string, std::pair<int, std::string>> found;  // how many, and the first reason
+  // Number of rejected paths, and the first reason.
+  std::map<std::string, std::pair<int, std::string>> found;
   for (const RunRecord& run : runs) {
     if (run.result.status != PlanStatus::rejected) continue;
     auto& [count, reason] = found[run.planner];

@@ -44,12 +44,13 @@ bool is_row(const Report& report, const ScenarioSummary& scenario) {
   return report.scenarios[scenario.scenario].is_row();
 }
 
-// "5-leave-cage" of "thesis-5-leave-cage".
+// Name without its prefix: "5-leave-cage" for "thesis-5-leave-cage".
 std::string short_name(const std::string& scenario) {
   return scenario.starts_with("thesis-") ? scenario.substr(7) : scenario;
 }
 
-// Cost at the end, with the share solved if not all are; of a row, the furthest distance.
+// Cost at the end, with the solved runs if not all are solved. In a row of goals the furthest
+// distance.
 std::string headline_cell(const MethodSummary& method, bool row) {
   if (row)
     return method.furthest > 0.0 ? fmt::format("{:.0f} m", method.furthest) : std::string(none);
@@ -64,10 +65,11 @@ std::string first_time_cell(const MethodSummary& method, bool) {
 
 using CellText = std::string (*)(const MethodSummary&, bool);
 
-// Planners down and scenarios across, or the other way round: the longer list goes down.
+// Table of planners and scenarios; the longer list goes down.
 std::string matrix(const Report& report, Region region, CellText cell) {
   std::vector<std::string> planners, scenarios;
-  std::vector<std::vector<std::string>> cells;  // of each scenario, in the order of the planners
+  // Cells of each scenario, in the order of the planners.
+  std::vector<std::vector<std::string>> cells;
   for (const ScenarioSummary& scenario : report.summary.scenarios) {
     if (scenario.region != region) continue;
     scenarios.push_back(markdown(short_name(report.scenarios[scenario.scenario].scenario.name)));
@@ -148,7 +150,7 @@ std::string comparison_text(const PairedComparison& comparison) {
   const auto& [low, high] = comparison.interval;
   std::string text =
       fmt::format("{}: {}", verdict_name(comparison.verdict), change_text(comparison.ratio));
-  if (low == 0.0 && std::isinf(high)) return text;  // too few pairs, or too mixed, to bound it
+  if (low == 0.0 && std::isinf(high)) return text;  // too few or too mixed pairs for a bound
   return fmt::format("{} [{}, {}]", text, change_text(low), change_text(high));
 }
 
@@ -162,7 +164,7 @@ std::string twin_table(const ScenarioSummary& scenario) {
   return table.markdown();
 }
 
-// All scenarios of a region together.
+// Table of planners against their Euclid twins over all scenarios of a region.
 std::string pooled_table(const Report& report, Region region) {
   const std::vector<Pooled> planners = pooled(report.summary, region);
   if (planners.empty()) return "";
@@ -190,14 +192,14 @@ std::string jobs_text(const Report& report) {
   return fmt::format("{} at a time", fmt::join(jobs, " or "));
 }
 
-// Runs that every machine repeats name none, and their times were left behind.
+// Text on the machine. Runs that every machine repeats have no machine and no times.
 std::string machine_text(const Environment& here) {
   if (here.cores == 0) return "any machine, which finds the same; times are not told";
   return fmt::format("{} ({} cores), {}", markdown(here.processor), here.cores,
                      markdown(here.system));
 }
 
-// The options in force, in one line for what is shared and one for each that differs.
+// Options of the runs: one line for shared options, and one for each that differs.
 std::string options_text(const ReportOptions& options) {
   std::string text = "Options: `" + shared_options_json(options).dump() + "`.\n";
   for (const ReportOptions::Own& own : options.differing) {
@@ -245,7 +247,7 @@ std::string circumstances(const Report& report) {
   return text;
 }
 
-// What holds where: claims down, circumstances across.
+// Table of verdicts: claims down, circumstances across.
 std::string claims_table(const std::vector<Finding>& findings) {
   std::vector<std::string> head = {"claim"}, claims;
   std::vector<Circumstances> circumstances;

@@ -16,7 +16,7 @@ using Values = std::vector<std::pair<std::string, std::string>>;
 
 Values comparable_values(const PlanOptions& options) {
   Values values = option_values(options);
-  // Profiled runs are told of beside those whose time counts.
+  // Profiled runs have wall-clock times, but belong to the report of runs with processor time.
   const OptionValue* const profile = options.planner.find("profile");
   const bool is_profiled = profile != nullptr && *profile == OptionValue(true);
   if (options.budget.processor_time || (is_profiled && options.budget.threads == 1))
@@ -27,7 +27,7 @@ Values comparable_values(const PlanOptions& options) {
   return values;
 }
 
-/// The value; all of them in one text if there are several, as vehicles differ.
+/// The value, or one text with all values if vehicles have different ones.
 std::string joined_values(const std::vector<std::string>& values) {
   if (values.size() == 1) return values.front();
   std::string text;
@@ -74,7 +74,7 @@ ComparableOptions comparable_options(const PlanOptions& options) {
 
 ReportOptions options_of(const std::vector<RunRecord>& runs) {
   const std::map<std::string, Values> of_planner = values_by_planner(runs);
-  std::vector<std::string> names;  // in order of appearance
+  std::vector<std::string> names;  // names of options, in order of appearance
   std::map<std::string, std::map<std::string, std::vector<std::string>>> planners;
   for (const auto& [planner, values] : of_planner) {
     for (const auto& [name, value] : values) {

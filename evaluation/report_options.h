@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// (internal) Under which options were the runs of a report made?
+// (internal) Which options did the runs of a report have?
 
 #include <string>
 #include <utility>
@@ -11,12 +11,12 @@
 
 namespace vandplan::evaluation {
 
-/// The options of the runs of a comparison, but for seed, region and profile. Values are JSON.
+/// Options of the runs of a comparison, without seed, region and profile. Values are JSON.
 struct ReportOptions {
-  /// Options that are the same for every planner that has them. Values that differ between vehicles
-  /// are joined in one text, "2.5 or 5, by the vehicle".
+  /// Options that are equal for all planners that have them. Values that differ between vehicles
+  /// are joined in one text: "2.5 or 5, by the vehicle".
   std::vector<std::pair<std::string, std::string>> shared;
-  /// The others: a value, and the planners that have it.
+  /// Option that differs between planners: one value, and the planners with that value.
   struct Own {
     std::string name;
     std::string value;
@@ -27,11 +27,11 @@ struct ReportOptions {
 
 [[nodiscard]] ReportOptions options_of(const std::vector<RunRecord>& runs);
 
-/// The options of a run, but for seed, region and profile, as text: only runs with equal options
-/// are told of together.
+/// Options of a run as text, without seed, region and profile. A report contains only runs with
+/// equal options.
 struct ComparableOptions {
-  std::string of_planner;  ///< equal in all runs of a planner
-  std::string of_vehicle;  ///< equal in all runs of a planner with equal vehicles
+  std::string of_planner;  ///< options that are equal in all runs of a planner
+  std::string of_vehicle;  ///< options that are equal in all runs of a planner with equal vehicles
 };
 
 [[nodiscard]] ComparableOptions comparable_options(const PlanOptions& options);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What is known of a finished run, and where was it made?
+// What is stored of a finished run, and of the environment that made it?
 
 #include <cstddef>
 #include <cstdint>
@@ -26,31 +26,31 @@ struct Environment {
   bool operator==(const Environment&) const = default;
 };
 
-/// This program on this machine.
+/// Environment of this program on this machine.
 [[nodiscard]] Environment this_environment();
 
-/// The time now in UTC, "2026-11-21T05:16:33Z".
+/// Current time in UTC, such as "2026-11-21T05:16:33Z".
 [[nodiscard]] std::string utc_now();
 
-/// Options that many runs have in common, all but the seed: of a million runs that differ in their
-/// seeds only there is one copy.
+/// Options that many runs share, without the seed: a million runs that differ in their seeds alone
+/// have one copy.
 class SharedOptions {
  public:
   SharedOptions() : SharedOptions(PlanOptions{}) {}
-  // NOLINTNEXTLINE(google-explicit-constructor): a value that is kept in another way
+  // NOLINTNEXTLINE(google-explicit-constructor): the class replaces a PlanOptions value
   SharedOptions(PlanOptions options)
       : options_(std::make_shared<const PlanOptions>(std::move(options))) {}
 
   const PlanOptions& operator*() const noexcept { return *options_; }
   const PlanOptions* operator->() const noexcept { return options_.get(); }
-  /// Changes these and no other run's.
+  /// Changes the options of this run alone; other runs keep the old copy.
   template <class Change>
   void change(Change change) {
     PlanOptions changed = *options_;
     change(changed);
     options_ = std::make_shared<const PlanOptions>(std::move(changed));
   }
-  /// The same for all who have the same copy.
+  /// Address of the copy; it is equal for all runs that share the copy.
   [[nodiscard]] const void* identity() const noexcept { return options_.get(); }
   bool operator==(const SharedOptions& other) const { return *options_ == *other.options_; }
 
@@ -60,31 +60,31 @@ class SharedOptions {
 
 /// A finished run.
 struct RunRecord {
-  std::size_t environment = 0;  ///< index in the store
-  std::size_t scenario = 0;     ///< index in the store
-  std::size_t goal = 0;         ///< of the scenario
+  std::size_t environment = 0;  ///< index of the environment in the store
+  std::size_t scenario = 0;     ///< index of the scenario in the store
+  std::size_t goal = 0;         ///< index of the goal in the scenario
   std::string planner;
-  Region region = Region::bounds;  ///< in whose comparison the run takes part
-  SharedOptions options;           ///< that were in force, but for the seed
+  Region region = Region::bounds;  ///< region in whose comparison the run takes part
+  SharedOptions options;           ///< options of the run; the seed in them is ignored
   std::uint64_t seed = 1;
-  int jobs = 1;         ///< how many runs went on at once
-  std::string started;  ///< `utc_now`
-  PlanResult result;    ///< without tree and the judge's figures
+  int jobs = 1;         ///< number of runs that were carried out at once
+  std::string started;  ///< start time, from `utc_now`
+  PlanResult result;    ///< result without the tree and the judge's figures
 };
 
-/// Whether a run measured where its time went, which slows it down.
+/// Whether a run measured the times of its phases, which slows it down.
 [[nodiscard]] bool is_profiled(const RunRecord& run);
 
-/// What one call of the program did, and what it cost beside the runs themselves.
+/// Statistics of one call of the program: its runs, and the time spent on them and beside them.
 struct Session {
-  std::size_t environment = 0;  ///< index in the store
-  std::string started;          ///< `utc_now`
+  std::size_t environment = 0;  ///< index of the environment in the store
+  std::string started;          ///< start time, from `utc_now`
   int jobs = 1;
   int runs = 0;
-  double wall_time = 0.0;      ///< from the first run to the last [s]
-  double planning_time = 0.0;  ///< in the planners, all jobs together [s]
-  double judging_time = 0.0;   ///< in the judge, all jobs together [s]
-  double storing_time = 0.0;   ///< writing to the store [s]
+  double wall_time = 0.0;      ///< time from the first run to the last [s]
+  double planning_time = 0.0;  ///< time in the planners, summed over all jobs [s]
+  double judging_time = 0.0;   ///< time in the judge, summed over all jobs [s]
+  double storing_time = 0.0;   ///< time of writing to the store [s]
   bool operator==(const Session&) const = default;
 };
 

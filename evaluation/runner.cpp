@@ -25,9 +25,9 @@ using Clock = std::chrono::steady_clock;
 
 double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
-// A run of the campaign that the store does not hold yet.
+// Run of a campaign that the store does not hold yet.
 struct Job {
-  RunRecord run;  // all but the result
+  RunRecord run;  // record of the run, without the result
   const Problem* problem;
   const Planner* planner;
 };
@@ -37,7 +37,7 @@ struct Finished {
   double judging_time;
 };
 
-// Everything that is to be done, and the problems that the jobs point into.
+// List of all jobs, and the problems that they refer to.
 class JobList {
  public:
   JobList(const Campaign& campaign, Store& store, int jobs) {
@@ -68,7 +68,7 @@ class JobList {
   int total() const { return total_; }
 
  private:
-  // Their worlds are built once, for all runs of all planners.
+  // Problems of a scenario. Their worlds are built once, for all runs of all planners.
   const std::vector<Problem>& problems_of(const ScenarioFile& scenario) {
     std::vector<Problem>& problems = problems_[&scenario];
     if (problems.empty()) problems = make_problems(scenario);
@@ -88,14 +88,14 @@ Finished carry_out(const Job& job, const std::atomic<bool>& stop) {
   PlanOptions options = *run.options;
   options.budget.seed = run.seed;
   options.budget.stop = &stop;
-  const search::Budget clock(options.budget);  // the planner's kind
+  const search::Budget clock(options.budget);  // clock of the same kind as the planner's
   run.result = plan(*job.problem, *job.planner, options);
   finished.judging_time = clock.elapsed() - run.result.time_total;
   run.result.tree.reset();
   return finished;
 }
 
-// Threads that carry out jobs in order; what they finish waits until it is taken.
+// Threads that carry out jobs in order. Finished runs wait until they are taken.
 class Workers {
  public:
   Workers(const std::vector<Job>& jobs, int threads) : jobs_(jobs), active_(threads) {
@@ -105,11 +105,11 @@ class Workers {
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
-  /// Ends the runs in flight; they are dropped.
+  /// Ends and drops the runs in flight.
   void stop() { stop_ = true; }
 
-  /// What has been finished since the last call, after waiting a moment for something; nothing
-  /// and `done` at the end. Throws what a planner has thrown.
+  /// Runs that have finished since the last call. Waits a moment if there are none. At the end it
+  /// returns none and sets `done`. Throws what a planner has thrown.
   std::vector<Finished> take(bool& done) {
     std::unique_lock lock(mutex_);
     changed_.wait_for(lock, std::chrono::milliseconds(100),
@@ -144,13 +144,14 @@ class Workers {
   std::atomic<bool> stop_ = false;
   std::mutex mutex_;
   std::condition_variable changed_;
-  int active_;  // guarded by the mutex, as what follows
+  int active_;  // number of working threads; guarded by `mutex_`, as are the next two members
   std::vector<Finished> finished_;
   std::exception_ptr error_;
-  std::vector<std::jthread> threads_;  // last: joined before anything they use goes away
+  // Threads; last member, so they are joined before what they use is destroyed.
+  std::vector<std::jthread> threads_;
 };
 
-// The first run of a planner would pay for bringing its code and tables into memory.
+// Runs each planner briefly. Otherwise its first run would pay for loading its code and tables.
 void warm_up(const Campaign& campaign, const std::vector<Job>& jobs,
              const std::atomic<bool>* stop) {
   if (jobs.empty()) return;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How is a campaign run?
+// How are the runs of a campaign carried out and stored?
 
 #include "evaluation/campaign.h"
 #include "evaluation/store.h"
 
 namespace vandplan::evaluation {
 
-/// Does what the store does not yet hold of a campaign, each finished run stored at once, and
-/// returns how far it came. Throws InputError when an input is no good or when more jobs than
-/// cores would compete for a time budget; and what a planner throws.
+/// Carries out all runs of a campaign that the store does not hold, and stores each at once.
+/// Returns the progress. Throws InputError for bad input, or when more jobs than cores would
+/// compete for a time budget. Exceptions of planners pass through.
 Progress run_campaign(const Campaign& campaign, Store& store, const RunnerOptions& options);
 
 }  // namespace vandplan::evaluation

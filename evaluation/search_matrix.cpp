@@ -36,7 +36,7 @@ Runs timed_runs(const std::vector<RunRecord>& runs, const std::string& planner, 
   return found;
 }
 
-// Iterations until the first path.
+// Iterations until the first path; infinite without a path.
 double first_work(const RunRecord& run) {
   return run.result.anytime.empty() ? never
                                     : static_cast<double>(run.result.anytime.front().iteration);
@@ -78,13 +78,13 @@ MatrixCell cell_of(const Planner& planner, const Runs& runs,
   return cell;
 }
 
-// A search and its estimate; an estimate that is empty stands for any.
+// A search and its estimate.
 struct Guided {
   std::string_view search;
   std::string_view estimate;
 };
 
-// What the literature says of two planners.
+// A claim of the literature: `planner` is better than `rival`.
 struct Claim {
   std::string_view text;
   Guided planner;
@@ -121,7 +121,7 @@ const Planner* find(const std::vector<Planner>& planners, const Guided& wanted) 
   return found == planners.end() ? nullptr : &*found;
 }
 
-// Pairs of runs to the same goal with the same seed.
+// Compares runs in pairs with the same goal and seed.
 void compare(const Runs& runs, const Runs& rivals, LiteratureFinding& finding) {
   std::map<std::tuple<GoalKey, std::uint64_t>, const RunRecord*> partners;
   for (const RunRecord* run : rivals) partners[{goal_of(*run), run->seed}] = run;

@@ -29,7 +29,7 @@ std::string between(const MedianEstimate& estimate, double unit, int digits) {
   return fmt::format("{} [{}, {}]", text, number_text(interval.low * unit, digits), high);
 }
 
-// What the tables show, one after the other.
+// Contents of one table: a title and the text of a cell.
 struct Measure {
   const char* title;
   std::string (*text)(const MatrixCell&);
@@ -62,7 +62,7 @@ std::vector<std::string> distinct(const std::vector<MatrixCell>& cells, Name nam
   return found;
 }
 
-// Estimates down, searches across.
+// Table of a measure: estimates down, searches across.
 std::string table_of(const std::vector<MatrixCell>& cells, const Measure& measure) {
   const std::vector<std::string> searches = distinct(cells, &MatrixCell::search);
   std::vector<std::string> head = {"estimate"};

@@ -34,7 +34,8 @@ Json scenarios_json(const Campaign& campaign) {
   return scenarios;
 }
 
-// Options that differ from those of an earlier scenario, as the vehicle differs, name the scenario.
+// Adds a planner's options for a scenario. Options that differ from those of an earlier scenario,
+// because the vehicle differs, name the scenario.
 void add_options(const Campaign& campaign, const Planner& planner, const Scenario& scenario,
                  Json& json) {
   for (const auto& [name, text] : option_values(options_of(campaign, planner, scenario.vehicle))) {

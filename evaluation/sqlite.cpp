@@ -142,7 +142,7 @@ Transaction::~Transaction() {
   if (!open_) return;
   try {
     database_->execute("ROLLBACK");
-  } catch (const InputError&) {  // SQLite has rolled back already
+  } catch (const InputError&) {  // SQLite has already rolled back
   }
 }
 

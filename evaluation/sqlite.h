@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// SQLite with values and exceptions: a connection and a statement, nothing more.
+// How is SQLite used with values and exceptions? A connection and a statement, nothing more.
 //
 // Every failure is an InputError "FILE: what SQLite says".
 
@@ -26,11 +26,11 @@ class Database {
 
   /// Runs statements that return nothing.
   void execute(const std::string& sql);
-  /// The first column of the first row.
+  /// First column of the first row; 0 or empty if there is no row.
   [[nodiscard]] std::int64_t integer(const std::string& sql);
   [[nodiscard]] std::string text(const std::string& sql);
   [[nodiscard]] std::int64_t last_id() const noexcept;
-  /// Rows that the last INSERT, UPDATE or DELETE touched.
+  /// Number of rows that the last INSERT, UPDATE or DELETE changed.
   [[nodiscard]] int changed() const noexcept;
 
   [[nodiscard]] const std::string& file() const noexcept { return file_; }
@@ -50,7 +50,7 @@ class Statement {
  public:
   Statement(Database& database, std::string_view sql);
 
-  /// Sets all parameters, in order, and makes ready for `step`.
+  /// Resets the statement and sets all parameters, in order.
   template <class... Values>
   Statement& bind(const Values&... values) {
     reset();
@@ -58,7 +58,7 @@ class Statement {
     (set(index++, values), ...);
     return *this;
   }
-  /// `bind`, then to the end.
+  /// Binds the values and runs the statement to its end.
   template <class... Values>
   void run(const Values&... values) {
     bind(values...);
@@ -67,7 +67,7 @@ class Statement {
   }
   /// Goes to the next row; false when there is none.
   bool step();
-  /// Lets go of the row: until then nobody can clear the write-ahead log.
+  /// Releases the current row; an open row keeps the write-ahead log from being cleared.
   void reset() noexcept;
 
   [[nodiscard]] bool is_null(int column) const noexcept;
@@ -75,7 +75,7 @@ class Statement {
   [[nodiscard]] double real(int column) const noexcept;
   [[nodiscard]] std::optional<double> optional_real(int column) const noexcept;
   [[nodiscard]] std::string text(int column) const;
-  /// Until the next step.
+  /// Bytes of a column; valid until the next step.
   [[nodiscard]] std::span<const std::byte> bytes(int column) const;
 
  private:
@@ -94,7 +94,7 @@ class Statement {
   std::unique_ptr<sqlite3_stmt, Finalize> handle_;
 };
 
-/// Everything up to `commit` happens, or nothing does.
+/// Transaction: all statements up to `commit` take effect, or none does.
 class Transaction {
  public:
   explicit Transaction(Database& database);

@@ -14,15 +14,15 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// P(B(n, 1/2) = k).
+// Probability P(B(n, 1/2) = k) of the binomial distribution.
 double fair_share(std::size_t n, std::size_t k) {
   const auto [size, chosen] = std::pair(static_cast<double>(n), static_cast<double>(k));
   return std::exp(std::lgamma(size + 1.0) - std::lgamma(chosen + 1.0) -
                   std::lgamma(size - chosen + 1.0) - size * std::log(2.0));
 }
 
-// The largest k such that the k-th smallest and the k-th largest of n values enclose the median
-// with the confidence; 0 if not even the extremes do. P(median outside) = 2 P(B(n, 1/2) < k).
+// Largest k for which the k-th smallest and the k-th largest of n values enclose the median with
+// the confidence; 0 if not even the extremes do. P(median outside) = 2 P(B(n, 1/2) < k).
 std::size_t enclosing_rank(std::size_t n, double confidence) {
   double outside = 0.0;
   std::size_t k = 0;
@@ -33,14 +33,15 @@ std::size_t enclosing_rank(std::size_t n, double confidence) {
   return k;
 }
 
-// P(as many fair coins of n, or more, fall to one side), both sides together.
+// p-value of the two-sided sign test: probability that at least `on_one_side` of n fair coins fall
+// to the same side.
 double sign_test(std::size_t n, std::size_t on_one_side) {
   double p = 0.0;
   for (std::size_t k = on_one_side; k <= n; ++k) p += 2.0 * fair_share(n, k);
   return std::min(p, 1.0);
 }
 
-// The z with P(|Z| < z) = confidence for a standard normal Z, by bisection of erf.
+// The z with P(|Z| < z) = `confidence` for a standard normal Z, by bisection of erf.
 double normal_quantile(double confidence) {
   double low = 0.0;
   double high = 40.0;
@@ -70,7 +71,8 @@ MedianEstimate median_of(std::vector<double> values, double confidence) {
   return {quantile(values, 0.5), {values[rank - 1], values[values.size() - rank]}};
 }
 
-// Wilson 1927: the shares p for which the observed one is within z standard deviations of p.
+// Wilson 1927: the interval holds the shares p that are within z standard deviations of the
+// observed share.
 Interval share_interval(int successes, int trials, double confidence) noexcept {
   const double z = normal_quantile(confidence);
   const double n = trials;
@@ -100,8 +102,8 @@ PairedComparison compare_pairs(std::span<const double> first, std::span<const do
   return comparison;
 }
 
-// Holm 1979: by rising p, the k-th of m must be at most alpha / (m - k), k from 0; the first that
-// is not and all after it have no verdict.
+// Holm 1979: sorted by p, the k-th of m comparisons (k from 0) must have p <= alpha / (m - k). The
+// first that has not, and all after it, lose their verdict.
 void judge_together(std::span<PairedComparison* const> comparisons, double confidence) {
   const double alpha = 1.0 - confidence;
   std::vector<PairedComparison*> able;

@@ -16,10 +16,10 @@
 namespace vandplan::evaluation {
 namespace {
 
-constexpr int application_id = 0x56504c4e;  // "VPLN"
-constexpr int without_set_up = 3;           // the format whose runs lack `time_setup`
+constexpr int application_id = 0x56504c4e;  // "VPLN" in ASCII
+constexpr int without_set_up = 3;           // older format, whose runs lack `time_setup`
 
-// Ids count from 1 in the order of insertion and nothing is ever deleted: index = id - 1.
+// Tables of a store. Ids count from 1 in insertion order and nothing is deleted: index = id - 1.
 constexpr const char* schema = R"(
 CREATE TABLE environments(
   id INTEGER PRIMARY KEY, version TEXT NOT NULL, compiler TEXT NOT NULL, build_type TEXT NOT NULL,
@@ -75,7 +75,7 @@ Region region_named(const std::string& name) {
   throw InputError("region", "\"" + name + "\" is unknown");
 }
 
-// What has columns of its own: NULL where a planner does not count or measure it.
+// Counters and phases that have columns; NULL where a planner does not count or measure them.
 constexpr std::array counters = {"nodes", "exact_solves", "edge_checks"};
 constexpr std::array phases = {"ranking", "steering", "checking", "setup"};
 
@@ -108,7 +108,7 @@ void check_is_store(Database& database) {
   }
 }
 
-// The part of a run that is in the table of runs; its columns are `columns_of_runs`.
+// Columns of the table of runs, in the order in which `run_of` reads them.
 constexpr const char* columns_of_runs =
     "id, environment, scenario, goal, configuration, region, seed, jobs, started, status, reason,"
     " iterations, time_total, cost, start_x, start_y, start_heading, nodes, exact_solves,"
@@ -145,7 +145,7 @@ RunRecord run_of(const Statement& row) {
 
 }  // namespace
 
-// What adding a run needs, made ready once: preparing it costs more than carrying it out.
+// Prepared statements for adding a run, because preparing a statement costs more than running it.
 struct Store::Statements {
   explicit Statements(Database& database)
       : find_configuration(database,
@@ -165,7 +165,7 @@ struct Store::Statements {
     return all;
   }
 
-  // The id in the first row, or 0.
+  // Id in the first row; 0 if there is no row.
   template <class... Values>
   static std::int64_t find(Statement& statement, const Values&... values) {
     const std::int64_t id = statement.bind(values...).step() ? statement.integer(0) : 0;
@@ -178,9 +178,9 @@ struct Store::Statements {
 
 Store::Store(const std::string& file) : database_(file, Database::Mode::write) {
   check_is_store(database_);
-  // With a write-ahead log a commit never waits for the disk; only the log's clearing does, every
-  // 16 MB. What is committed survives the death of the program, and of the machine but for the
-  // last runs.
+  // With a write-ahead log a commit never waits for the disk. Only clearing the log does, every 16
+  // MB. Committed runs survive the death of the program. If the machine dies, the last runs may be
+  // lost.
   database_.execute(
       "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;"
       "PRAGMA wal_autocheckpoint = 4096; PRAGMA foreign_keys = ON");
@@ -356,7 +356,7 @@ std::vector<Session> Store::sessions() {
 
 namespace {
 
-// Rows of a table of parts of runs, in the order of the runs: read once from front to back.
+// Rows of costs or segments in the order of the runs, read once from front to back.
 class PartRows {
  public:
   PartRows(Database& database, const std::string& sql)
@@ -384,7 +384,7 @@ std::vector<RunRecord> Store::runs() { return read_runs(Paths::whole); }
 std::vector<RunRecord> Store::runs_without_segments() { return read_runs(Paths::start_only); }
 
 std::vector<RunRecord> Store::read_runs(Paths paths) {
-  // Somebody may add runs meanwhile: all statements see the store as it is now.
+  // Others may add runs meanwhile. In one transaction all statements see the store as it is now.
   const Transaction one_state(database_);
   struct Configuration {
     std::string planner;

@@ -18,7 +18,7 @@ namespace {
 
 std::string hex(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
-// Of the geometry and every cell; nothing without a map.
+// Hash of a map's geometry and cells; empty without a map.
 std::string fingerprint(const std::optional<OccupancyGrid>& map) {
   if (!map) return "";
   const std::string head =

@@ -35,7 +35,7 @@ int count_solved(const Runs& runs) {
       runs, [](const RunRecord* run) { return run->result.path.has_value(); }));
 }
 
-// By what a cost is divided: the distance of a goal in a row.
+// Divisor of a cost: in a row of goals the goal's distance [m], otherwise 1.
 class CostUnit {
  public:
   explicit CostUnit(const ScenarioFile& scenario) : scenario_(scenario) {}
@@ -52,7 +52,7 @@ double phase_time(const PlanResult& result, std::string_view name) {
   return found == result.phases.end() ? 0.0 : found->seconds;
 }
 
-// Shares of the time of all profiled runs together.
+// Shares of the phases in the total time of all profiled runs; none without a time.
 std::optional<PhaseShares> phases_of(const Runs& profiled) {
   double total = 0.0;
   PhaseShares shares;
@@ -66,7 +66,7 @@ std::optional<PhaseShares> phases_of(const Runs& profiled) {
   return PhaseShares{shares.ranking / total, shares.steering / total, shares.checking / total};
 }
 
-// A tree that has as many nodes as its planner allows.
+// Whether the tree of a run has as many nodes as its planner allows.
 bool is_full(const RunRecord& run) {
   const OptionValue* const limit = run.options->planner.find("max_nodes");
   const auto* const nodes = limit == nullptr ? nullptr : std::get_if<std::int64_t>(limit);
@@ -108,7 +108,7 @@ double furthest_of(const std::vector<GoalSummary>& goals) {
   return furthest;
 }
 
-// The best and the middle run; of a row, among those to its furthest goal.
+// Picks the best and the median run; with a row of goals among the runs to the furthest goal.
 void pick_examples(Runs runs, const ScenarioFile& scenario, const RunRecord* first,
                    MethodSummary& summary) {
   if (scenario.is_row()) {
@@ -123,7 +123,7 @@ void pick_examples(Runs runs, const ScenarioFile& scenario, const RunRecord* fir
   if (middle->result.path) summary.typical = static_cast<std::size_t>(middle - first);
 }
 
-// What the runs cost at 10 ms, 100 ms, the end, and where the tree was full.
+// Summarizes the costs at 10 ms, at 100 ms, at the end, and of full trees.
 void summarize_costs(const Runs& runs, const CostUnit& unit, MethodSummary& summary) {
   const auto cost_after = [&](double time) {
     return median_of(
@@ -178,12 +178,13 @@ MethodSummary summarize_method(const Runs& runs, const Runs& profiled, const Sce
   return summary;
 }
 
-// Time from the first iteration to the first path: what sets a ranking up counts for nobody.
+// Time from the first iteration to the first path [s]. The time for setting up a ranking is not
+// counted.
 double search_time(const RunRecord& run) {
   return first_solution_time(run) - phase_time(run.result, "setup");
 }
 
-// Runs of the same goal and seed, of a planner and of its twin.
+// Runs of a planner and of its twin, in pairs of the same goal and seed.
 struct Pairs {
   Runs first;
   Runs second;
@@ -195,7 +196,7 @@ struct Pairs {
   }
 };
 
-// Times that differ by less than setting a run up takes are equal.
+// Compares times in pairs. Times that differ by less than the set-up time of a run are equal.
 template <typename Time>
 PairedComparison compare_times(const Pairs& pairs, Time time) {
   std::vector<double> first = values_of(pairs.first, time);
@@ -208,12 +209,12 @@ PairedComparison compare_times(const Pairs& pairs, Time time) {
   return compare_pairs(first, second, confidence);
 }
 
-// A run that its limit ended took the limit: how late it noticed says nothing.
+// Total time of a run, at most its limit: how late a planner notices the limit says nothing.
 double run_time(const RunRecord& run) {
   return std::min(run.result.time_total, run.options->budget.time_limit.value_or(unreached));
 }
 
-// A first path of the first iteration: no tree has grown, so nothing was ranked.
+// Whether the first iteration found a path: no tree had grown, so nothing was ranked.
 bool is_found_at_once(const RunRecord& run) {
   return !run.result.anytime.empty() && run.result.anytime.front().iteration <= 1;
 }
@@ -247,7 +248,7 @@ TwinComparison compare_twins(const Runs& runs, const Runs& twin_runs) {
   return twins;
 }
 
-// Verdicts that hold for all comparisons together.
+// Corrects the verdicts so that they hold for all comparisons together.
 void judge(std::vector<ScenarioSummary>& scenarios) {
   std::vector<PairedComparison*> all;
   for (ScenarioSummary& scenario : scenarios) {
@@ -257,7 +258,7 @@ void judge(std::vector<ScenarioSummary>& scenarios) {
   judge_together(all, confidence);
 }
 
-// Runs by scenario, region and planner.
+// Runs of one planner in one scenario and region.
 struct Group {
   Runs timed;
   Runs profiled;
@@ -273,13 +274,13 @@ Groups grouped(const std::vector<RunRecord>& runs) {
   return groups;
 }
 
-// From a thousandth of the longest run to all of it, evenly on a logarithmic scale.
+// Times of the curves: logarithmically spaced, from a thousandth of the longest run to all of it.
 std::vector<double> curve_times(const std::vector<RunRecord>& runs) {
   double last = 0.0;
   for (const RunRecord& run : runs)
     last = std::max(last, run.options->budget.time_limit.value_or(run.result.time_total));
   std::vector<double> times;
-  if (!std::isfinite(last)) return times;  // times were not kept
+  if (!std::isfinite(last)) return times;  // the store has no times
   for (int i = 1; i <= curve_points; ++i)
     times.push_back(last * std::pow(10.0, 3.0 * i / curve_points - 3.0));
   return times;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// A table as Markdown whose columns also line up in a terminal.
+// How is a table written as Markdown whose columns line up in a terminal?
 
 #include <string>
 #include <vector>
@@ -11,9 +11,9 @@ namespace vandplan::evaluation {
 class TextTable {
  public:
   explicit TextTable(std::vector<std::string> head) : rows_{std::move(head)} {}
-  /// As many cells as the head has.
+  /// Adds a row, which must have as many cells as the head.
   void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
-  /// The first column to the left, the others to the right.
+  /// Markdown of the table; the first column is left-aligned, the others are right-aligned.
   [[nodiscard]] std::string markdown() const;
 
  private:

@@ -26,7 +26,7 @@ struct Case {
   double length;
 };
 
-/// The exact length, if there is one.
+/// Computes exact lengths; without a path of the rig there is none.
 class Exact {
  public:
   explicit Exact(const AccuracyOptions& options) : radius_(options.turning_radius) {
@@ -65,7 +65,7 @@ std::vector<Case> random_cases(const AccuracyOptions& options) {
   return cases;
 }
 
-/// Without what would end a field of CSV or a text of gnuplot.
+/// Replaces characters that would end a field of CSV or a text of gnuplot.
 std::string plain(std::string name) {
   for (char& c : name) {
     if (c == ',' || c == '\'' || c == '"' || c == '\\' || static_cast<unsigned char>(c) < ' ')
@@ -74,7 +74,7 @@ std::string plain(std::string name) {
   return name;
 }
 
-/// Reorders the values.
+/// Distribution of the values, which it reorders.
 Spread spread_of(std::vector<double>& values) {
   Spread spread;
   const auto [least, largest] = std::ranges::minmax(values);
@@ -155,7 +155,7 @@ StudyFiles files_of(const AccuracyStudy& study) {
   for (std::size_t i = 0; i < study.estimates.size(); ++i) {
     const Accuracy& estimate = study.estimates[i];
     if (!estimate.is_drawn) continue;
-    // The last line is what lies beyond 1.
+    // The last line of the file is the bin beyond 1, which is not drawn.
     curves += fmt::format(
         "{}  '{}.csv' skip 1 every ::0::{} using 1:(${}/{}*100) with steps linewidth 2 "
         "linecolor rgb '{}' title '{}: {:.0f} % within 10 %, {:.0f} % too long'",

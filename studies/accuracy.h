@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How far off are estimates of a length? (Guo 2020, Algorithm 4 and Fig. 15; for rigs, too)
+// How large are the errors of estimated lengths? (Guo 2020, Algorithm 4 and Fig. 15; also for rigs)
 
 #include <array>
 #include <cstdint>
@@ -17,16 +17,18 @@ namespace vandplan::studies {
 
 struct AccuracyOptions {
   std::int64_t pairs = 1'000'000;
-  double reach = 10.0;          ///< of |x| and |y| [m]
-  double turning_radius = 7.0;  ///< [m]
+  /// Largest |x| and |y| of a node [m].
+  double reach = 10.0;
+  double turning_radius = 7.0;  ///< turning radius of the vehicle [m]
   std::uint64_t seed = 1;
-  /// Draws states of this rig, with hitch angles that are its limit times the cube of an even
-  /// number from -1 to 1, and compares with lengths of `RigSteering`; pairs that it does not join
-  /// are drawn again. None: poses, and Reeds-Shepp lengths. Its radius is `turning_radius`.
+  /// Rig whose states are drawn; its turning radius is `turning_radius`. None: poses are drawn and
+  /// compared with Reeds-Shepp lengths. Hitch angles are the limit times the cube of a uniform
+  /// number from -1 to 1. Lengths are those of `RigSteering`. Pairs that it cannot join are drawn
+  /// again.
   std::optional<Vehicle> rig = {};
 };
 
-/// An estimate of the length from a node to a sample [m]; hitch angles are 0 without a rig.
+/// Estimate of the length from a node to a sample [m]; hitch angles are 0 without a rig.
 struct NamedEstimate {
   std::string name;
   std::function<double(const RigState& node, const RigState& sample)> length;
@@ -35,7 +37,7 @@ struct NamedEstimate {
 
 inline constexpr std::array percents{1, 5, 25, 50, 75, 95, 99};
 
-/// How differences are spread.
+/// Distribution of differences.
 struct Spread {
   double least = 0.0;
   double largest = 0.0;
@@ -43,23 +45,23 @@ struct Spread {
   std::array<double, percents.size()> percentiles{};
 };
 
-/// One estimate over all pairs.
+/// Errors of one estimate over all pairs.
 struct Accuracy {
   std::string name;
   bool is_drawn = true;
-  Spread relative;              ///< of (estimate - length) / length
-  Spread metres;                ///< of estimate - length [m]
+  Spread relative;              ///< distribution of (estimate - length) / length
+  Spread metres;                ///< distribution of estimate - length [m]
   double within_a_tenth = 0.0;  ///< share of pairs with a relative difference in [-0.1, 0.1]
   double over = 0.0;            ///< share of pairs with an estimate above the length
-  std::vector<std::int64_t> histogram;  ///< of the relative difference, from -1 on; the last bin
-                                        ///< takes what lies beyond 1
+  /// Histogram of the relative difference, from -1 on; the last bin contains all values from 1 on.
+  std::vector<std::int64_t> histogram;
 };
 
-inline constexpr int bins_of_unity = 50;  ///< bins of a histogram from 0 to 1
+inline constexpr int bins_of_unity = 50;  ///< number of bins of a histogram from 0 to 1
 
 struct AccuracyStudy {
   AccuracyOptions options;
-  std::vector<Accuracy> estimates;  ///< all for the same pairs
+  std::vector<Accuracy> estimates;  ///< results of the estimates, all for the same pairs
 };
 
 [[nodiscard]] AccuracyStudy study_accuracy(const AccuracyOptions& options,

@@ -17,7 +17,7 @@ namespace {
 
 double distance(const Pose& a, const Pose& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-/// Nodes in square cells over the region; those outside are in the cells at its edge.
+/// Nodes in square cells over the region; nodes outside are in the cells at its edge.
 class NodeGrid {
  public:
   NodeGrid(double reach, double cell)
@@ -30,13 +30,13 @@ class NodeGrid {
     cells_[at(index(poses[node].x), index(poses[node].y))].push_back(node);
   }
 
-  /// The node nearest to a sample of the region; ties go to the older one.
+  /// Nearest node to a sample of the region; ties go to the older node.
   std::size_t nearest(const std::vector<Pose>& poses, const Pose& sample) const {
     const int x = index(sample.x);
     const int y = index(sample.y);
     double least = std::numeric_limits<double>::infinity();
     std::size_t best = 0;
-    // What lies in the ring is at least ring - 1 cells away.
+    // Nodes in a ring are at least ring - 1 cells away.
     for (int ring = 0; ring < count_ && (ring - 1) * cell_ <= least; ++ring) {
       for_ring(x, y, ring, [&](std::size_t node) {
         const double length = distance(poses[node], sample);
@@ -75,7 +75,7 @@ class NodeGrid {
   std::vector<std::vector<std::size_t>> cells_;
 };
 
-// SelectInput and NewState: of the six inputs (left, straight, right; forward, reverse) the one
+// SelectInput and NewState: end of the input, among six (left, straight, right; forward, reverse),
 // that ends nearest to the sample.
 Pose driven_towards(const Pose& from, const Pose& sample, const GrowthOptions& options) {
   Pose best = from;
@@ -93,7 +93,7 @@ Pose driven_towards(const Pose& from, const Pose& sample, const GrowthOptions& o
 }
 
 GrowthStage stage_of(const GrowthStudy& study, std::size_t nodes) {
-  constexpr double square = 10.0;  // [m]
+  constexpr double square = 10.0;  // side of a square [m]
   const double reach = study.options.reach;
   std::set<std::pair<int, int>> held;
   std::vector<int> depth(nodes);

@@ -13,29 +13,30 @@
 namespace vandplan::studies {
 
 struct GrowthOptions {
-  double reach = 200.0;         ///< samples have |x| and |y| below it [m]
-  double step = 5.0;            ///< how far one input drives [m]
-  double turning_radius = 7.0;  ///< [m]
+  /// Bound of |x| and |y| of samples [m].
+  double reach = 200.0;
+  double step = 5.0;            ///< length of the drive of one input [m]
+  double turning_radius = 7.0;  ///< turning radius of the vehicle [m]
   std::uint64_t seed = 1;
 };
 
-/// Sizes of the trees that are looked at; each is the next one at a younger age.
+/// Numbers of nodes at which the tree is shown; it is the same tree at different ages.
 inline constexpr std::array<std::size_t, 6> growth_stages{200, 500, 1000, 5000, 10'000, 100'000};
 
-/// The tree when it had so many nodes.
+/// Figures of the tree when it had `nodes` nodes.
 struct GrowthStage {
   std::size_t nodes = 0;
-  double explored = 0.0;  ///< share of the squares of 10 m in the region that hold a node
-  int depth = 0;          ///< edges from the root to the furthest node
+  double explored = 0.0;  ///< share of the region's 10 m squares that contain a node
+  int depth = 0;          ///< number of edges from the root to the deepest node
 };
 
 struct GrowthStudy {
   GrowthOptions options;
-  TreeSnapshot tree;  ///< the largest one; rooted at (0, 0, 0)
+  TreeSnapshot tree;  ///< tree at its last stage; the root is (0, 0, 0)
   std::vector<GrowthStage> stages;
 };
 
-/// A tree of `nodes` nodes, the root included.
+/// Grows a tree of `nodes` nodes, including the root.
 [[nodiscard]] TreeSnapshot grow_tree(const GrowthOptions& options, std::size_t nodes);
 
 [[nodiscard]] GrowthStudy study_growth(const GrowthOptions& options);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Below which value does so much of the sample lie?
+// Which value is larger than a given share of a sample?
 
 #include <algorithm>
 #include <cassert>
@@ -10,7 +10,7 @@
 
 namespace vandplan::studies {
 
-/// The value of rank round(percent / 100 * (n - 1)). Reorders the values; at least one.
+/// Value of rank round(percent / 100 * (n - 1)). Reorders the values; needs at least one.
 inline double percentile(std::span<double> values, double percent) {
   assert(!values.empty());
   const double rank = percent / 100.0 * static_cast<double>(values.size() - 1);

@@ -18,7 +18,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr int last_ring = 50;
 
-// Algorithm 3 for one random pair at this distance.
+// Algorithm 3 for one random pair at `distance` [m].
 RangePair random_pair(double distance, double radius, Rng& rng) {
   const base::SinCos bearing = base::sin_cos(uniform(-pi, pi, rng));
   const Pose from{0.0, 0.0, uniform(-pi, pi, rng)};
@@ -50,7 +50,7 @@ RangeStudy study_range(const RangeOptions& options) {
     const double distance = uniform(0.0, options.reach, rng);
     study.pairs.push_back(random_pair(distance, options.turning_radius, rng));
   }
-  rng.seed(stream_seed(options.seed, 1));  // whatever the number of pairs above
+  rng.seed(stream_seed(options.seed, 1));  // independent of the number of pairs above
   for (int i = 0; i <= last_ring; ++i) {
     study.rings.push_back(random_ring(options.reach * i / last_ring, options.turning_radius, rng));
   }

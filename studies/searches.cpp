@@ -15,13 +15,14 @@
 namespace vandplan::studies {
 namespace {
 
-// Of a search from its begin to its end: dark to light, also on grey paper (plasma of matplotlib,
-// without its lightest part).
+// Shades of a search from its begin to its end: dark to light, also on grey paper (plasma of
+// matplotlib without its lightest part).
 constexpr std::array shades = {"#0d0887", "#46039f", "#7201a8", "#9c179e", "#bd3786",
                                "#d8576b", "#ed7953", "#fb9f3a", "#fdca26"};
-constexpr double most_points = 15'000;  // of one search, ends of segments apart
-constexpr double least_step = 1.5;      // between points of an edge [m]
-constexpr double room = 20.0;           // shown around obstacles: where samples are drawn [m]
+// Largest number of points of one search, besides ends of segments.
+constexpr double most_points = 15'000;
+constexpr double least_step = 1.5;  // least distance between points of an edge [m]
+constexpr double room = 20.0;  // margin around obstacles that is shown, where samples are drawn [m]
 
 bool is_of_family(const Planner& planner) {
   return std::ranges::count(planner.properties.groups, "family") > 0;
@@ -38,15 +39,15 @@ Bounds shown(const SearchesStudy& study, std::size_t scenario) {
   return {box.x_min - room, box.x_max + room, box.y_min - room, box.y_max + room};
 }
 
-/// An edge, which is the shortest path or so short that the shortest path is much like it.
+/// Edge of a tree. It is the shortest path, or so short that the shortest path is similar.
 Path edge_of(const TreeSnapshot& tree, std::size_t node, double radius) {
   const Pose& from = tree.poses[static_cast<std::size_t>(tree.parents[node])];
   const Piece piece = reeds_shepp(from, tree.poses[node], radius);
   return {from, {piece.view().begin(), piece.view().end()}};
 }
 
-/// Edges in their order, those of a shade after those of another: a blank line ends an edge, two of
-/// them a shade, as gnuplot wants it.
+/// CSV of the edges in their order, grouped by shade. A blank line ends an edge, two end a shade,
+/// as gnuplot expects.
 std::string tree_csv(const TreeSnapshot& tree, double radius) {
   const std::size_t nodes = tree.poses.size();
   double metres = 0.0;
@@ -71,7 +72,7 @@ std::string tree_file(const SearchesStudy& study, const Searched& run) {
   return fmt::format("searches_{}_{}.csv", study.scenarios[run.scenario].name, run.planner);
 }
 
-/// The planner's name over the first of its panels, and in each what it found.
+/// Labels of a panel: the result, and in a planner's first panel its name.
 std::string words_of(const Searched& run) {
   const PlanResult& result = run.result;
   const std::string found =
@@ -84,7 +85,7 @@ std::string words_of(const Searched& run) {
   return text;
 }
 
-/// Obstacles, start and goal of a scenario.
+/// Commands that draw obstacles, start and goal of a scenario.
 std::string scenery(const Scenario& scenario) {
   std::string text = "unset object\nunset arrow\nunset label\n";
   for (const Polygon& polygon : scenario.obstacles) {
@@ -97,7 +98,7 @@ std::string scenery(const Scenario& scenario) {
          arrow_at(scenario.goal, 7.0, study_colour::blue);
 }
 
-/// Where a panel lies on the page [pixels, from its upper left corner].
+/// Place of a panel on the page [pixels from the page's upper left corner].
 struct Panel {
   double left, top, width, height;
 };
@@ -127,7 +128,7 @@ std::string plot_of(const SearchesStudy& study, std::size_t number, const Panel&
   return text + plot_of_path("searches.csv", static_cast<int>(number), scenario, "#000000") + "\n";
 }
 
-/// A row of boxes with the shades, under everything.
+/// Commands that draw the legend: a row of boxes with the shades, below all panels.
 std::string legend(double page_width, double page_height) {
   std::string text = "unset object\nunset arrow\nunset label\nunset border\n";
   const double size = 26.0;
@@ -199,10 +200,10 @@ StudyFiles files_of(const SearchesStudy& study) {
     const double radius = study.scenarios[run.scenario].scenario.vehicle.min_turning_radius;
     data.push_back({tree_file(study, run), tree_csv(*run.result.tree, radius)});
   }
-  // Panels of a scenario are as wide as it is, all of them equally high; two planners in a row.
+  // All panels have the same height. Their width follows from the scenario. A row has two planners.
   constexpr double height = 250.0;
   constexpr double gap = 14.0;
-  constexpr double head = 26.0;  // for a title
+  constexpr double head = 26.0;  // height of a title [pixels]
   std::vector<double> left;
   double width = gap;
   for (std::size_t i = 0; i < 2 * study.scenarios.size(); ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How do planners search? Side by side, in the order in which they looked around.
+// In which order do planners search the ground?
 
 #include <cstdint>
 #include <string>
@@ -14,19 +14,19 @@
 namespace vandplan::studies {
 
 struct SearchesOptions {
-  std::int64_t iterations = 1000;  ///< of each run; what one is differs from planner to planner
+  std::int64_t iterations = 1000;  ///< iterations of each run; their meaning depends on the planner
   std::uint64_t seed = 1;
 };
 
-/// A scenario that is searched.
+/// Scenario that all planners search.
 struct SearchedScenario {
   std::string name;
   Scenario scenario;
 };
 
-/// What one planner did in one of them.
+/// Run of one planner in one scenario.
 struct Searched {
-  std::size_t scenario = 0;  ///< position in the study's list
+  std::size_t scenario = 0;  ///< index of the scenario in the study's list
   std::string planner;
   PlanResult result;
 };
@@ -34,14 +34,13 @@ struct Searched {
 struct SearchesStudy {
   SearchesOptions options = {};
   std::vector<SearchedScenario> scenarios = {};
-  std::vector<Searched> runs = {};  ///< planner by planner, each in all scenarios
+  std::vector<Searched> runs = {};  ///< runs planner by planner, each in all scenarios
 };
 
-/// H shape and cage to cage, of the thesis.
+/// Scenarios of the thesis: H shape, and cage to cage.
 [[nodiscard]] std::vector<SearchedScenario> searched_scenarios();
 
-/// The planners of the library that are drawn: those of the group "family", and what to compare
-/// them with.
+/// Planners that are drawn: those of the library's group "family", and two to compare them with.
 [[nodiscard]] std::vector<Planner> searching_planners();
 
 [[nodiscard]] SearchesStudy study_searches(const SearchesOptions& options);

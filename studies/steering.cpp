@@ -18,7 +18,7 @@ constexpr double pi = std::numbers::pi;
 
 struct Wish {
   const char* name;
-  Pose goal;  ///< position in turning radii
+  Pose goal;  ///< pose of the goal; its position in turning radii
 };
 
 constexpr Wish wishes[] = {
@@ -39,7 +39,7 @@ std::string paths_csv(const SteeringStudy& study) {
   return csv;
 }
 
-// What both paths of an example cover, as a square.
+// Square that contains both paths of an example [m].
 Bounds frame_of(const SteeringExample& example) {
   std::vector<Point> points;
   for (const Piece* piece : {&example.dubins, &example.reeds_shepp}) {

@@ -11,10 +11,10 @@
 namespace vandplan::studies {
 
 struct SteeringOptions {
-  double turning_radius = 7.0;  ///< [m]
+  double turning_radius = 7.0;  ///< turning radius of the vehicle [m]
 };
 
-/// A goal seen from the start at (0, 0, 0), and the shortest paths to it.
+/// A goal and the shortest paths to it; the start is (0, 0, 0).
 struct SteeringExample {
   std::string name;
   Pose goal;
@@ -27,7 +27,7 @@ struct SteeringStudy {
   std::vector<SteeringExample> examples;
 };
 
-/// Goals at fixed multiples of the turning radius.
+/// Study of goals at fixed multiples of the turning radius.
 [[nodiscard]] SteeringStudy study_steering(const SteeringOptions& options);
 
 [[nodiscard]] StudyFiles files_of(const SteeringStudy& study);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What does a study leave behind: numbers as CSV, and a script that makes pictures of them?
+// Which files does a study write? Numbers as CSV, and a script that draws them.
 
 #include <span>
 #include <string>
@@ -16,25 +16,26 @@ struct TextFile {
   std::string content;
 };
 
-/// The files of a study. `gnuplot SCRIPT`, called where they are, makes the pictures.
+/// Files of a study. `gnuplot SCRIPT`, called in their folder, makes the pictures.
 struct StudyFiles {
-  std::vector<TextFile> data;  ///< CSV, a line of names first
+  std::vector<TextFile> data;  ///< CSV files; the first line has the names of the columns
   TextFile script;
-  std::vector<std::string> pictures;  ///< names of the files that the script makes
+  std::vector<std::string> pictures;  ///< names of the pictures that the script makes
 };
 
-/// A picture as PNG [pixels] and as SVG [points].
+/// Size of a picture: PNG in pixels, SVG in points.
 struct Canvas {
-  std::string name;  ///< of the files, without ending
+  std::string name;  ///< name of the files, without extension
   int width = 1200;
   int height = 600;
 };
 
-/// With a script that draws `body` (commands of gnuplot) twice, as NAME.png and as NAME.svg.
+/// Files of a study with a script that draws `body` (gnuplot commands) twice, as NAME.png and
+/// NAME.svg.
 [[nodiscard]] StudyFiles study_files(const Canvas& canvas, std::vector<TextFile> data,
                                      const std::string& body);
 
-/// Colours that stay apart for the colour-blind (Okabe and Ito 2008), as gnuplot takes them.
+/// Colours that colour-blind people can tell apart (Okabe and Ito 2008), in gnuplot's notation.
 namespace study_colour {
 inline constexpr const char* blue = "#0072b2";
 inline constexpr const char* orange = "#d55e00";
@@ -44,17 +45,17 @@ inline constexpr const char* ink = "#21262e";
 inline constexpr const char* grey = "#8a929c";
 }  // namespace study_colour
 
-/// A path as lines "LABELS,x,y,heading,direction", both ends of every segment among them.
+/// Appends a path as lines "LABELS,x,y,heading,direction", with both ends of every segment.
 void append_path(std::string& csv, const std::string& labels, const Path& path);
 
-/// Commands that draw the path with these labels out of such a file: forward solid, reverse dashed.
+/// Commands that draw the path with two labels from such a file: forward solid, reverse dashed.
 [[nodiscard]] std::string plot_of_path(const std::string& file, int first, int second,
                                        const std::string& colour);
 
-/// A command that draws a pose as an arrow `length` long [m].
+/// Command that draws a pose as an arrow of length `length` [m].
 [[nodiscard]] std::string arrow_at(const Pose& pose, double length, const std::string& colour);
 
-/// "L+ S+ R-": sides and gears of a path.
+/// Word of a path with sides and gears, such as "L+ S+ R-".
 [[nodiscard]] std::string word_of(std::span<const Segment> segments);
 
 }  // namespace vandplan::studies

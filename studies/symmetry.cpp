@@ -62,7 +62,7 @@ std::string degrees(double heading) {
   return fmt::format("{}°", whole == -180 ? 180 : whole);
 }
 
-// Beside the node, where its arrow does not point.
+// Label beside the node, away from its arrow.
 std::string label_of(const SeenPair& pair, std::size_t quadrant) {
   const bool right = pair.node.x > 0.0;
   return fmt::format(
@@ -86,7 +86,7 @@ std::string panel_of(const SymmetryExample& example, int number) {
   return text + "plot " + curves + "\nunset arrow\nunset label\n";
 }
 
-// Half the height that shows every path, with room for the labels [m].
+// Half the height of a picture that shows every path, with room for the labels [m].
 double half_height_of(const SymmetryStudy& study) {
   double furthest = 15.0;
   for (const SymmetryExample& example : study.examples) {

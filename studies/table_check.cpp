@@ -15,7 +15,8 @@
 namespace vandplan::studies {
 namespace {
 
-// Float rounds to 6e-8 of the value; the rest is for other compilers' libraries.
+// Relative tolerance of an entry. Float rounds by 6e-8; the rest is for libraries of other
+// compilers.
 constexpr double tolerance = 1e-6;
 
 void compare(const HeuristicTable& table, const HeuristicTable::GridPoint& cell,

@@ -4,7 +4,7 @@
 // Which parts of C++20's library does Debian's Emscripten (3.1.6, libc++ 13) lack that the core
 // uses?
 //
-// Included before every file of the preset `web`. Nothing here is there in a library that has it.
+// Included before every file of the preset `web`. A library that has these parts skips the content.
 
 #include <version>
 #if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 15000
@@ -28,8 +28,8 @@ template <class To, class From>
 
 // ---- numbers and text ----
 
-/// The shortest decimal that reads back: the C library rounds correctly, so the first number of
-/// digits that does is the least.
+/// Writes the shortest decimal that reads back as the same number. The C library rounds correctly,
+/// so the first number of digits that does is the least.
 inline to_chars_result to_chars(char* first, char* last, double value, chars_format format) {
   char text[400];
   int size = 0;
@@ -126,7 +126,7 @@ constexpr void transform(R&& r, O out, F f) {
                  [&](const auto& each) { return std::invoke(f, each); });
 }
 
-/// What orders two things by a projection of them.
+/// Comparison of the projections of two objects.
 template <class C, class P>
 constexpr auto ordered_by(C c, P p) {
   return [c, p](const auto& a, const auto& b) {

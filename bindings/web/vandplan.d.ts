@@ -1,161 +1,198 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// Plans paths for trucks in a browser or in Node. Metres, radians, counter-clockwise from the x axis;
-// a pose is the midpoint of the rear axle and the heading.
+// Plans paths for trucks in a browser or in Node. Units are metres, radians and seconds; headings count
+// counter-clockwise from the x axis. A pose is the midpoint of the rear axle and the heading.
 //
 //   import {load} from './vandplan.mjs';
 //   const vandplan = await load();
 //   const {path, check} = vandplan.plan(scenario, {time_limit: 0.05});
 
-/** A place in the plane [m]. */
+/** Point [m]. */
 export type Point = [x: number, y: number];
 
+/** Pose of the rear-axle midpoint: x, y [m] and heading [rad]. */
 export interface Pose {
   x: number;
   y: number;
   heading: number;
 }
 
-/** Where a path begins or ends. */
+/** Pose at the start or goal of a path. */
 export interface EndPose extends Pose {
-  /** How far the wheels are turned [1/m]; of account for steering "continuous" alone. */
+  /** Curvature that the wheels are turned to [1/m]; only used with steering "continuous". */
   curvature?: number;
   /** Heading of the vehicle less that of its trailer [rad]. */
   hitch_angles?: [number];
 }
 
-/** The axle of the trailer instead. */
+/** Start or goal given by the pose of the trailer's axle. */
 export interface TrailerEnd {
   trailer: Pose;
   curvature?: number;
   hitch_angles?: [number];
 }
 
-/** A number, or all from the first to the second; headings counter-clockwise. */
+/** A number, or a range from the first to the second number; ranges of headings run counter-clockwise. */
 export type Range = number | [number, number];
 
-/** Poses where a path may end. */
+/** Set of poses where a path may end: every place with every heading. */
 export interface GoalRegion {
+  /** x of the rear-axle midpoint [m]. */
   x?: Range;
+  /** y of the rear-axle midpoint [m]. */
   y?: Range;
-  /** Instead of `x` and `y`: anywhere in a simple polygon. */
+  /** Simple polygon that replaces `x` and `y`. */
   area?: Point[];
+  /** Heading [rad]. */
   heading: Range | 'any';
-  /** Or turned by half a turn. */
+  /** Whether headings turned by half a turn are goals too. */
   either_way?: boolean;
+  /** Curvature that the wheels are turned to [1/m]. */
   curvature?: number;
+  /** Heading of the vehicle less that of its trailer [rad]. */
   hitch_angles?: 'any' | [Range];
 }
 
-/** The same of the trailer's axle. */
+/** Set of goals given by place and heading of the trailer's axle. */
 export interface TrailerRegion {
   trailer: Omit<GoalRegion, 'curvature' | 'hitch_angles'>;
   curvature?: number;
   hitch_angles?: 'any' | [Range];
 }
 
-/** A pose, or whichever of several is cheapest. */
+/** A goal: a pose, a region, or several regions of which the cheapest is chosen. */
 export type Goal =
   | EndPose | TrailerEnd | GoalRegion | TrailerRegion | {any_of: (GoalRegion | TrailerRegion)[]};
 
-/** Keys and units as in vehicle files: hitch to axle, hitch to the front of the body, axle to rear. */
+/** Trailer, with the keys and units of vehicle files. */
 export interface Trailer {
+  /** Distance from the hitch to the axle [m]. */
   wheelbase: number;
+  /** Distance from the hitch to the front of the body [m]. */
   front_overhang: number;
+  /** Distance from the axle to the rear of the body [m]. */
   rear_overhang: number;
+  /** Width of the body [m]. */
   width: number;
-  /** As that of a vehicle, in the frame of the axle's midpoint. */
+  /** Corners of a convex body in the frame of the axle's midpoint [m]. */
   outline?: Point[];
 }
 
-/** What moves while the vehicle drives: an outline in a frame of its own, and where that is when. */
+/** Obstacle that moves while the vehicle drives. */
 export interface MovingObstacle {
+  /** Corners in the obstacle's own frame [m]. */
   outline: Point[];
+  /** Pose of that frame over time [s, m, rad], with increasing times. */
   trajectory: [t: number, x: number, y: number, heading: number][];
+  /** What the obstacle does after the last row; 'stays' by default. */
   after?: 'stays' | 'leaves';
-  /** [m/s] */
+  /** Growth of the outline on all sides [m/s]. */
   inflate?: number;
 }
 
-/** Keys and units as in vehicle files. */
+/** Vehicle, with the keys and units of vehicle files. */
 export interface Vehicle {
+  /** Distance from rear axle to front axle [m]. */
   wheelbase: number;
+  /** Distance from the front axle to the front of the body [m]. */
   front_overhang: number;
+  /** Distance from the rear axle to the rear of the body [m]. */
   rear_overhang: number;
+  /** Width of the body [m]. */
   width: number;
-  /** Of the rear axle's midpoint [m]; this or `max_steering_angle` has to be given. */
+  /** Turning radius of the rear-axle midpoint [m]; this or `max_steering_angle` is required. */
   min_turning_radius?: number;
-  /** Of the front wheels, in a single-track model [rad]; in place of `min_turning_radius`. */
+  /** Angle of the front wheel in a single-track model [rad]; in place of `min_turning_radius`. */
   max_steering_angle?: number;
+  /** Width over the wheels [m]; the width of the body by default. */
   track_width?: number;
+  /** Rate of the front wheel's angle [rad/s]. */
   max_steering_rate?: number;
+  /** Change of curvature per metre driven [1/m^2]. */
   max_curvature_rate?: number;
+  /** Largest speed in each gear [m/s]. */
   max_speed?: {forward?: number; reverse?: number};
+  /** Largest acceleration along the path [m/s^2]. */
   max_acceleration?: number;
+  /** Largest braking [m/s^2]; `max_acceleration` by default. */
   max_braking?: number;
+  /** Largest speed^2 * |curvature| [m/s^2]. */
   max_lateral_acceleration?: number;
+  /** Largest change of the acceleration [m/s^3]; unlimited by default. */
   max_jerk?: number;
-  /** x of the hitch in the vehicle frame. */
+  /** x of the hitch in the vehicle frame [m]. */
   hitch?: number;
+  /** Largest absolute hitch angle [rad]. */
   max_hitch_angle?: number;
   trailers?: [Trailer];
-  /** Corners of a convex body around the midpoint of the rear axle, in place of the rectangle; overhangs and width may be left out then. */
+  /** Corners of a convex body in the vehicle frame [m], in place of the rectangle. Overhangs and width may then be missing. */
   outline?: Point[];
 }
 
-/** Square cells: 0 free, 1 occupied, 2 unknown, row by row from the corner at `origin`. */
+/** Occupancy map of square cells. */
 export interface OccupancyMap {
+  /** Corner of the first cell; columns count along its heading, rows to the left. */
   origin: Pose;
+  /** Side of a cell [m]. */
   resolution: number;
   columns: number;
   rows: number;
+  /** Cells row by row: 0 free, 1 occupied, 2 unknown. */
   cells: Uint8Array;
-  /** "free": unknown cells and all ground outside are free; else they are obstacles. */
+  /** Makes unknown cells and the ground outside the map free; by default they are obstacles. */
   unknown?: 'free';
 }
 
-/** Keys as in scenario files. */
+/** Scenario, with the keys of scenario files. */
 export interface Scenario {
   name?: string;
   description?: string;
-  /** Lengths, or a name of `vehicles()`. */
+  /** Lengths and limits, or a name of `vehicles()`. */
   vehicle?: Vehicle | string;
-  /** Where the rear axle may be; without a map they have to be given. */
+  /** Range of the rear-axle midpoint [m]; required without a map. */
   bounds?: {x: Point; y: Point};
   start: EndPose;
   goal: Goal;
   moving?: MovingObstacle[];
+  /** Simple polygons that the vehicle must not touch. */
   obstacles?: Point[][];
+  /** Simple polygons that only the wheels must not touch. */
   kerbs?: Point[][];
-  /** The whole body stays in one of these areas. */
+  /** Areas, in one of which the whole body must stay. */
   inside?: Point[][];
   map?: OccupancyMap;
 }
 
-/** Curvature at the start of the segment [1/m], driven metres (negative in reverse), change of curvature [1/m^2]. */
+/** Part of a path in one gear. */
 export interface Segment {
+  /** Curvature at its start [1/m]; positive to the left. */
   curvature: number;
+  /** Length [m]; negative in reverse. */
   length: number;
+  /** Change of curvature per metre driven [1/m^2]; 0 by default. */
   curvature_rate?: number;
 }
 
+/** Path: a start pose and the segments that follow. */
 export interface Path {
   start: Pose;
   segments: Segment[];
 }
 
-/** Which gears may be driven at all. */
+/** Gears that may be driven. */
 export type Gears = 'both' | 'forward' | 'reverse';
 
 /**
- * Any key of `vandplan plan --set`, such as margin, gear_change_cost, steering, style, keep_tree. Prices that are not set
- * are a driver's in a truck; they shrink with a vehicle that turns on less than 7 m.
+ * Options of a plan: any key of `vandplan plan --set`, such as margin, gear_change_cost, steering, style, keep_tree.
+ * Prices that are not set are those of a truck driver. They are smaller for a turning radius below 7 m.
  */
 export interface PlanOptions {
+  /** Time limit [s]. */
   time_limit?: number | null;
   max_iterations?: number | null;
   seed?: number;
+  /** Distance that the vehicle keeps from obstacles [m]. */
   margin?: number;
   forward_weight?: number;
   reverse_weight?: number;
@@ -168,73 +205,85 @@ export interface PlanOptions {
   [key: string]: number | string | boolean | null | undefined;
 }
 
-/** What driving costs: docs/algorithms/anytime.md#styles. */
+/** Prices of driving: docs/algorithms/anytime.md#styles. */
 export interface Prices {
+  /** Cost of a metre forward. */
   forward_weight: number;
+  /** Cost of a metre in reverse. */
   reverse_weight: number;
-  /** Of one gear change [m]. */
+  /** Cost of a gear change [m]. */
   gear_change_cost: number;
-  /** Of turning the wheels [m per 1/m]. */
+  /** Cost of turning the wheels [m per 1/m]. */
   curvature_change_cost: number;
+  /** Added cost of a metre that touches an obstacle; it falls linearly to 0 at `clearance_distance`. */
   clearance_weight: number;
-  /** Up to which being near things costs [m]. */
+  /** Clearance from which on there is no added cost [m]. */
   clearance_distance: number;
 }
 
-/** What is hit: an obstacle, a kerb or an area of `inside` by its number, a cell of the map by its middle, or the edge of the bounds. */
+/** Object that is hit: an obstacle, kerb or `inside` area by index, a map cell by its middle [m], or the bounds. */
 export type Hit =
   | {what: 'obstacles' | 'kerbs' | 'inside'; index: number}
   | {what: 'map'; cell?: {x: number; y: number}}
   | {what: 'bounds'};
 
-/** The independent judge's verdict. */
+/** Verdict of the independent judge on a path. */
 export interface Check {
   valid: boolean;
-  /** The first thing found wrong; empty when valid. */
+  /** First fault that was found; empty if valid. */
   reason: string;
-  /** What is hit or left, if that is what is wrong. */
+  /** Object that is hit, or area that is left, if that is the fault. */
   hit: Hit | null;
-  /** Where it is wrong, if at a place. */
+  /** Pose at the fault, if it has a place. */
   at: Pose | null;
+  /** Driven distance [m]. */
   length: number;
+  /** Distance driven in reverse [m]. */
   reverse_length: number;
   gear_changes: number;
-  /** 0 without a trailer [rad]. */
+  /** Largest absolute hitch angle [rad]; 0 without a trailer. */
   largest_hitch_angle: number;
+  /** Total variation of the curvature [1/m]. */
   curvature_change: number;
-  /** Least distance from anything [m]; Infinity on open ground. */
+  /** Least distance from an obstacle [m]; Infinity without obstacles, null if a fault was found before. */
   clearance: number | null;
 }
 
+/** Result of a run. */
 export interface Result {
   status:
     | 'solved' | 'start_in_collision' | 'goal_in_collision' | 'iteration_limit' | 'node_limit'
     | 'time_limit' | 'stopped' | 'no_path' | 'rejected';
+  /** Why there is no path; empty if there is one. */
   reason: string;
-  /** What is in the way of a start or goal in collision. */
+  /** Object that a start or goal in collision hits. */
   hit: Hit | null;
   path: Path | null;
-  /** The goal that the path ends at, by its number in `any_of`; null without a set of goals. */
+  /** Goal that the path ends at, with its index in `any_of`; null without a set of goals. */
   goal: ({index: number} & Pose) | null;
+  /** Cost of the path [m], or [s] if the cost is the time; null without a path. */
   cost: number | null;
-  /** No path costs less; 0 where nothing is proven. */
+  /** Proven lower bound on the cost of all paths; 0 if nothing is proven. */
   lower_bound: number;
   iterations: number;
-  /** In the planner [s]. */
+  /** Time in the planner [s]. */
   time: number;
-  /** When the cost of the best path fell. */
+  /** Times [s] and iterations at which a cheaper path was found. */
   anytime: {time: number; iteration: number; cost: number}[];
+  /** Counters of the planner by name. */
   counters: Record<string, number>;
-  /** Rows x, y, heading, and the parent of each node (-1: a root), with the option keep_tree. */
+  /** Search tree, with the option keep_tree: rows x, y, heading, and the parent of each node (-1: a root). */
   tree: {poses: Float64Array; parents: Int32Array} | null;
   check: Check | null;
-  /** Of the drive among what moves [s]; null where nothing does. */
+  /** Duration of the planned drive among moving obstacles [s]; null without them. */
   duration: number | null;
-  /** Rows t, s, x, y, heading, curvature, speed of that drive, every 0.05 s. */
+  /** Rows t, s, x, y, heading, curvature, speed of the planned drive, every 0.05 s. */
   drive: Float64Array | null;
+  /** Steering that was in force. */
   steering: string;
 }
 
+/** Description of a planner. */
 export interface PlannerInfo {
   name: string;
   summary: string;
@@ -243,75 +292,88 @@ export interface PlannerInfo {
   honours_prices: boolean;
   honours_gears: boolean;
   honours_steering: boolean;
-  /** Whether it proves that no path costs less than its bound. */
+  /** Whether it proves a lower bound on the cost. */
   proves: boolean;
   options: {name: string; summary: string; standard: string; range: string}[];
 }
 
+/** Rules that a checked path must obey. */
 export interface Claims {
+  /** Distance from obstacles [m]; 0 by default. */
   margin?: number;
+  /** Length of the ramp around a start or goal with less clearance [m]; 0 by default. */
   margin_ramp?: number;
+  /** 'reeds-shepp' by default. */
   steering?: string;
-  /** 'both' (usual), 'forward' or 'reverse': a metre in another gear is a fault. */
+  /** Allowed gears, 'both' by default; a metre in another gear is a fault. */
   gears?: Gears;
 }
 
-/** Another start, goal or vehicle than the scenario's. */
+/** Start, goal or vehicle that replace those of the scenario. */
 export interface Ends {
   start?: EndPose;
   goal?: Goal;
   vehicle?: Vehicle | string;
 }
 
-/** A scenario whose world is built once, for many plans. */
+/** Scenario whose world is built once, for many queries. */
 export interface Yard {
-  /** `warm_start`: a path that was good for a like problem, in whose way the first one is looked for; for "anytime". */
+  /** Plans a path. `warm_start`: path of a similar problem, along which the first path is sought; only for "anytime". */
   plan(query?: Ends & {planner?: string; options?: PlanOptions; warm_start?: Path}): Result;
+  /** Checks a path with the judge. */
   check(query: Ends & Claims & {path: Path}): Check;
+  /** Whether vehicle and trailer keep the margin [m] at a pose. */
   isFree(query: {pose: EndPose; vehicle?: Vehicle | string; margin?: number}): boolean;
+  /** Frees the memory of the world. Later queries throw InputError. */
   close(): void;
 }
 
+/** Functions of the module. All throw `InputError` for wrong input. */
 export interface Vandplan {
   version: string;
+  /** All planners, the default one first. */
   planners(): PlannerInfo[];
-  /** Names of vehicles that may stand for their lengths, such as "two-axle-truck". */
+  /** Names of the catalogue's vehicles, such as "two-axle-truck". */
   vehicles(): string[];
-  /** What driving costs where no price is set: those of a driver shrink with a turning radius below 7 m. */
+  /** Default prices of a style. Those of 'driver' are smaller for a turning radius below 7 m. */
   prices(style: 'driver' | 'shortest', vehicle: Vehicle | string): Prices;
+  /** Plans a path; the judge has checked it. */
   plan(scenario: Scenario, options?: PlanOptions & {planner?: string}): Result;
+  /** Checks a path with the judge. */
   check(scenario: Scenario, path: Path, claims?: Claims): Check;
+  /** Builds the world of a scenario for many queries. */
   yard(scenario: Scenario): Yard;
-  /** Rows s, x, y, heading, curvature, direction, at most `step` metres apart. */
+  /** Rows s, x, y, heading, curvature, direction of a path, at most `step` metres apart (0.1 by default). */
   sample(path: Path, step?: number): Float64Array;
-  /** Rows t, s, x, y, heading, curvature, speed of the fastest drive, at most `step` seconds apart. */
+  /** Rows t, s, x, y, heading, curvature, speed of the fastest drive, at most `step` seconds apart (0.05 by default). */
   drive(path: Path, vehicle: Vehicle | string, step?: number): Float64Array;
-  /** Rows x, y, heading of the trailer for each row that `sample` has with that step. */
+  /** Rows x, y, heading of the trailer, one for each row of `sample` with this step. `hitchAngle`: at the start [rad]. */
   trailer(path: Path, vehicle: Vehicle | string, hitchAngle?: number, step?: number): Float64Array;
-  /** Where the vehicle is after a segment, and how its trailer stands. */
+  /** Pose and hitch angle after a segment. */
   advance(pose: EndPose, vehicle: Vehicle | string, segment: {curvature: number; length: number}): EndPose;
-  /** The shortest path on open ground, by Reeds and Shepp, or by Dubins without reverse. */
+  /** Shortest path on open ground for a turning radius [m]: Reeds-Shepp, or Dubins without reverse. */
   steer(from: Pose, to: Pose, radius: number, options?: {reverse?: boolean}): Segment[];
-  /** The path of every word that joins the poses, the shortest first. */
+  /** Paths of all words that join two poses, shortest first. */
   words(from: Pose, to: Pose, radius: number, options?: {reverse?: boolean}): Segment[][];
-  /** What a measure says of the way from every node to the sample [m]. */
+  /** Length from each node to the sample by a measure [m]. */
   distances(
     measure: 'euclid' | 'hlut-1' | 'hlut-2' | 'hlut-3' | 'hlut-4' | 'bound' | 'reeds-shepp',
     nodes: {x: Float32Array; y: Float32Array; heading: Float32Array},
     sample: Pose,
     radius: number,
   ): Float32Array;
+  /** Hash of a path, as by `hashOf`. */
   hash(path: Path): string;
 }
 
-/** What was handed in cannot be used; `where` is the key that is wrong ("vehicle.width"). */
+/** Wrong input. `where`: the wrong key ("vehicle.width"). `problem`: the fault and what was expected. */
 export class InputError extends Error {
   where: string;
   problem: string;
 }
 
-/** The hash of a path: equal if and only if, by all odds, start and segments are the same bit for bit. */
+/** Hash of a path: 16 hexadecimal digits. Paths with equal bits have equal hashes; others almost surely differ. */
 export function hashOf(path: Path): string;
 
-/** Makes the module. It fetches nothing. */
+/** Loads the module. It fetches no other file. */
 export function load(): Promise<Vandplan>;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// The planner for JavaScript: vandplan.d.ts says what each thing is.
+// The planner for JavaScript. Types and descriptions: vandplan.d.ts.
 
 import {vehicles} from 'catalogue';
 import makeCore from 'vandplan-core';
 
-/** What was handed in cannot be used; `where` is the key that is wrong. */
+/** Wrong input. `where`: the wrong key. `problem`: the fault and what was expected. */
 export class InputError extends Error {
   constructor({where, problem}) {
     super(`${where}: ${problem}`);
@@ -21,7 +21,7 @@ function taken(answer) {
   return answer;
 }
 
-/** A vehicle as the core reads it: by its name in the catalogue, or by its lengths. */
+/** Vehicle as the core reads it, from a name of the catalogue or from its lengths. */
 function vehicleOf(given) {
   if (typeof given === 'string' && !Object.hasOwn(vehicles, given)) {
     throw new InputError({where: 'vehicle', problem: `there is no "${given}", expected one of ${Object.keys(vehicles).join(', ')}`});
@@ -29,10 +29,10 @@ function vehicleOf(given) {
   return typeof given === 'string' ? vehicles[given] : given;
 }
 
-/** A scenario or a query with its vehicle as the core reads it. */
+/** Scenario or query whose vehicle is in the form that the core reads. */
 const withVehicle = (given) => (given?.vehicle === undefined ? given : {...given, vehicle: vehicleOf(given.vehicle)});
 
-/** A scenario whose world is built once; closed with `close`. */
+/** Scenario whose world is built once. `close` frees its memory. */
 class Yard {
   #core;
   #number;
@@ -59,7 +59,7 @@ class Yard {
   }
 }
 
-/** The functions of the module around a core that is there. */
+/** Functions of the module, for a core that is loaded. */
 function functionsOf(core) {
   const inYard = (scenario, work) => {
     const yard = new Yard(core, scenario);
@@ -88,12 +88,12 @@ function functionsOf(core) {
   };
 }
 
-/** The hash of a path: of the bytes of its start and segments, as 16 hexadecimal digits. */
+/** Hash of a path's start and segments: 16 hexadecimal digits (64-bit FNV-1a). */
 export function hashOf(path) {
   const numbers = [path.start.x, path.start.y, path.start.heading];
   for (const {curvature, length, curvature_rate = 0} of path.segments) numbers.push(curvature, length, curvature_rate);
   const bytes = new DataView(new ArrayBuffer(8 * numbers.length));
-  numbers.forEach((number, i) => bytes.setFloat64(8 * i, number + 0, true)); // -0 is 0, as in files
+  numbers.forEach((number, i) => bytes.setFloat64(8 * i, number + 0, true)); // -0 becomes 0, as in files
   let hash = 0xcbf29ce484222325n;
   for (let i = 0; i < bytes.byteLength; ++i) {
     hash = BigInt.asUintN(64, (hash ^ BigInt(bytes.getUint8(i))) * 0x100000001b3n);
@@ -101,7 +101,7 @@ export function hashOf(path) {
   return hash.toString(16).padStart(16, '0');
 }
 
-/** Makes the module; it holds no more than its memory, and needs no other file. */
+/** Loads the module. It needs no other file. */
 export async function load() {
   return functionsOf(await makeCore());
 }

@@ -13,28 +13,29 @@
 
 namespace vandplan {
 
-/// Two numbers between which a length lies: low <= length <= high [m].
+/// Lower and upper bound of a length: low <= length <= high [m].
 struct LengthBounds {
   double low = 0.0;
   double high = 0.0;
 };
 
 /// Bounds of the length of the shortest path between two poses, `reeds_shepp_length(from, to,
-/// radius)` [m]. `radius` > 0 [m].
+/// radius)` [m]. Throws InputError naming "radius" unless it is > 0 [m].
 [[nodiscard]] LengthBounds length_bounds(const Pose& from, const Pose& to, double radius);
 
 /// Bounds of the lengths from every node to one sample, in float [m]: low[i] and high[i] belong to
-/// node i; sizes are equal. They hold for the sample as rounded to float. `radius` > 0 [m].
+/// node i. They hold for the sample as rounded to float. Throws InputError naming "radius" unless
+/// it is > 0 [m], or "nodes" unless all columns have as many numbers as `low` and `high`.
 void length_bounds(const PoseColumns& nodes, const Pose& sample, double radius,
                    std::span<float> low, std::span<float> high);
 
-/// The shape of the table of bounds: cells along its three coordinates, and its size.
+/// Shape of the table of bounds: cells along its three coordinates, and its size in bytes.
 struct BoundTableInfo {
   int radial_cells, side_cells, turn_cells;
   std::size_t bytes;
 };
 
-/// The shape of the library's table of bounds.
+/// Shape of the library's table of bounds.
 [[nodiscard]] BoundTableInfo bound_table_info() noexcept;
 
 }  // namespace vandplan

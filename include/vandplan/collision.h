@@ -3,8 +3,8 @@
 #pragma once
 // Is the footprint free of obstacles, and the rear axle inside the bounds?
 //
-// Exact along an edge, without a step size: docs/algorithms/collision.md says how and why no hit
-// is ever missed.
+// Checks along an edge are exact, without a step size. docs/algorithms/collision.md says how, and
+// why no hit is ever missed.
 
 #include <limits>
 #include <memory>
@@ -24,104 +24,117 @@ namespace collision {
 struct Ground;
 }
 
-/// Where one may drive and what stands in the way, all in one frame.
+/// Bounds, obstacles, kerbs and map, all in one frame.
 struct Surroundings {
-  Bounds bounds = {};
-  std::vector<Polygon> obstacles = {};  ///< the footprint keeps clear of them
-  std::vector<Polygon> kerbs = {};      ///< the wheels do, overhangs may swing over them
-  std::optional<OccupancyGrid> map = {};
-  /// The whole body stays in one of these areas, which have nothing in common. None: anywhere.
+  Bounds bounds = {};                   ///< where the midpoint of the rear axle may be [m]
+  std::vector<Polygon> obstacles = {};  ///< outlines that the footprint may not touch [m]
+  /// Outlines for the wheels alone [m]; overhangs may swing over them.
+  std::vector<Polygon> kerbs = {};
+  std::optional<OccupancyGrid> map = {};  ///< occupancy map; none: there is no map
+  /// Areas of which the whole body stays in one [m]; they have nothing in common. Empty: it may be
+  /// anywhere.
   std::vector<Polygon> inside = {};
 };
 
-/// Around a place the margin is less than elsewhere: `least` there, and it grows evenly with the
-/// distance of the rear axle until that is `reach`.
+/// A place around which a smaller margin is enough. With the rear axle at `centre` the margin is
+/// `least`. It grows linearly with the distance of the rear axle, up to the usual margin at
+/// `reach`.
 struct MarginRamp {
-  Local<Point> centre = {};  ///< [m]
-  double least = 0.0;        ///< [m]; >= 0
-  double reach = 1.0;        ///< [m]; > 0
+  Local<Point> centre = {};  ///< the place, in the frame of the checker [m]
+  double least = 0.0;        ///< margin at the centre [m]; >= 0
+  double reach = 1.0;        ///< distance at which the usual margin holds again [m]; > 0
   bool operator==(const MarginRamp&) const = default;
 };
 
-/// How far a vehicle keeps from things: the body from obstacles and map, the wheels from kerbs.
+/// Distance that a vehicle keeps: the body from obstacles and map, the wheels from kerbs.
 struct Margin {
-  double wanted = 0.0;                 ///< [m]; >= 0
-  std::vector<MarginRamp> ramps = {};  ///< where less will do
+  double wanted = 0.0;                 ///< margin outside of all ramps [m]; >= 0
+  std::vector<MarginRamp> ramps = {};  ///< places around which less is enough
   bool operator==(const Margin&) const = default;
 
-  /// What is kept everywhere [m].
+  /// Least margin anywhere, ramps included [m].
   [[nodiscard]] double least() const noexcept;
 };
 
-/// Answers collision queries for one footprint in one set of obstacles. Immutable after
-/// construction and safe to share between threads. A trailer is looked at by `rig_...` alone. Local
-/// poses and points are in the frame of the world that the checker is from (`to_local`), or of the
-/// surroundings that it was made of. A world puts thin obstacles, fences, around the areas of
-/// `inside`; a checker that is made of surroundings adds none.
+/// Answers collision queries for one vehicle among fixed obstacles. It is immutable after
+/// construction and safe to share between threads. Only the functions `rig_...` look at a trailer.
 ///
-/// Promise: whatever is accepted keeps the closed footprint clear of every closed obstacle, by more
-/// than the margin, and the rear axle inside the bounds; whatever has a clearance above the margin
-/// and `tolerance` is accepted.
+/// Local poses and points are in the frame of the checker. It is that of the world from which the
+/// checker comes (`to_local`), or that of the surroundings it was made of. A world puts thin
+/// obstacles, fences, around the areas of `inside`. A checker that is made of surroundings adds no
+/// fences.
+///
+/// Promise: what is accepted keeps the closed footprint clear of every closed obstacle by more than
+/// the margin, and the rear axle inside the bounds. What has a clearance above the margin plus
+/// `tolerance` is accepted.
 class CollisionChecker {
  public:
-  /// [m]
+  /// Clearance beyond the margin above which everything is accepted [m].
   static constexpr double tolerance = 1e-3;
 
-  /// The polygons must be simple (see `World`).
+  /// Checker of a rectangle among obstacles, without kerbs, map or margin. The polygons must be
+  /// simple (see `World`). Bounds and polygons share one frame.
   CollisionChecker(const Footprint& footprint, const Bounds& bounds,
                    std::span<const Polygon> obstacles);
-  /// For all that a vehicle meets. The frame is that of the surroundings.
+  /// Checker of a vehicle among surroundings, whose frame it has. The polygons must be simple.
   CollisionChecker(const Vehicle& vehicle, const Surroundings& surroundings,
                    const Margin& margin = {});
-  /// For one of many vehicles on the same ground (`World::checker`).
+  /// Checker of a vehicle on a ground that many vehicles share. `World::checker` calls it.
   CollisionChecker(const Vehicle& vehicle, std::shared_ptr<const collision::Ground> ground,
                    const Margin& margin = {});
   ~CollisionChecker();
   CollisionChecker(const CollisionChecker&) = delete;
   CollisionChecker& operator=(const CollisionChecker&) = delete;
 
+  /// Whether the vehicle is free at the pose: it keeps its margin, and its rear axle is in the
+  /// bounds.
   [[nodiscard]] bool is_free(const LocalPose& pose) const noexcept;
 
-  /// Everything swept from `from` along `segment`, both ends included.
+  /// Whether all ground swept from `from` along the segment is free, both ends included.
   [[nodiscard]] bool is_free(const LocalPose& from, const Segment& segment) const noexcept;
 
-  /// Everything swept from `from` along the segments, one after the other.
+  /// Whether all ground swept from `from` along the segments, one after the other, is free.
   [[nodiscard]] bool is_free(const LocalPose& from,
                              std::span<const Segment> segments) const noexcept;
 
-  /// Both bodies of a vehicle with a trailer, the vehicle alone if it has none. The hitch angle
-  /// is not limited here, and the trailer is not held to the bounds.
+  /// Whether vehicle and trailer are free in that state; the vehicle alone if it has no trailer.
+  /// The hitch angle is not limited here, and the bounds do not hold for the trailer.
   [[nodiscard]] bool rig_is_free(const Local<RigState>& state) const noexcept;
 
-  /// Everything that both bodies sweep from `from` along `segment`, both ends included.
+  /// Whether all ground that vehicle and trailer sweep from `from` along the segment is free, both
+  /// ends included.
   [[nodiscard]] bool rig_is_free(const Local<RigState>& from,
                                  const Segment& segment) const noexcept;
 
-  /// Everything that both bodies sweep from `from` along the segments, one after the other.
+  /// Whether all ground that vehicle and trailer sweep from `from` along the segments, one after
+  /// the other, is free.
   [[nodiscard]] bool rig_is_free(const Local<RigState>& from,
                                  std::span<const Segment> segments) const noexcept;
 
-  /// Distance of the body from the nearest obstacle or blocked cell, or of the wheels from the
-  /// nearest kerb, whichever is less, and no more than `most` [m]; 0 if they touch. Where it is at
-  /// least `enough` any number from `enough` to it will do, which is found sooner.
+  /// Least distance of the body from obstacles and blocked cells, and of the wheels from kerbs, but
+  /// at most `most` [m]. It is 0 if they touch. If the distance is at least `enough`, the result
+  /// may be any number from `enough` to that distance, which is faster.
   [[nodiscard]] double clearance(
       const LocalPose& pose, double most,
       double enough = std::numeric_limits<double>::infinity()) const noexcept;
 
-  /// What is nearer to something of both bodies, as `clearance` of one.
+  /// Least distance of vehicle and trailer from obstacles and blocked cells, and of their wheels
+  /// from kerbs [m]. `most` and `enough` are those of `clearance`.
   [[nodiscard]] double rig_clearance(
       const Local<RigState>& state, double most,
       double enough = std::numeric_limits<double>::infinity()) const noexcept;
 
-  /// Whether an obstacle of the map is at most this far from the point [m]. False without a map.
+  /// Whether a blocked cell of the map is at most `distance` from the point [m]. False without a
+  /// map.
   [[nodiscard]] bool map_is_within(const Local<Point>& point, double distance) const noexcept;
 
-  /// Two numbers between which a distance lies [m].
+  /// Lower and upper bound of a distance [m].
   struct Range {
     double least, most;
   };
 
-  /// How far the nearest obstacle of the map is from the point, quickly. Infinite without a map.
+  /// Bounds of the distance from the point to the nearest blocked cell of the map [m], found
+  /// quickly. Both are infinite without a map.
   [[nodiscard]] Range map_distance(const Local<Point>& point) const noexcept;
 
  private:

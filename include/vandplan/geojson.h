@@ -21,26 +21,28 @@ struct GeoPlace {
   bool operator==(const GeoPlace&) const = default;
 };
 
-/// A site, and what its file does not say.
+/// A site file, and what it does not say.
 struct GeoJsonSite {
-  std::string file = {};      ///< "-" is standard input
-  Vehicle vehicle = {};       ///< who drives
-  bool is_in_metres = false;  ///< whatever the file says about its coordinates
-  /// Instead of those of the file; x, y as it counts them, heading [rad].
+  std::string file = {};      ///< file name; "-" is standard input
+  Vehicle vehicle = {};       ///< vehicle that drives there
+  bool is_in_metres = false;  ///< whether coordinates are metres, whatever the file says
+  /// Start that replaces the one of the file: x and y in its coordinates, heading [rad].
   std::optional<Pose> start = {};
+  /// Goal that replaces the one of the file: x and y in its coordinates, heading [rad].
   std::optional<Pose> goal = {};
-  double default_width = 0.2;  ///< of lines and points that do not say theirs [m]; > 0
+  /// Width of lines and points that do not state theirs [m]; 0.001 to 1000.
+  double default_width = 0.2;
 };
 
-/// What became of a site.
+/// The scenario of a site.
 struct GeoJsonScenario {
   Scenario scenario = {};
-  /// Where the scenario's origin lies on Earth, x to the east, y to the north; none: the
-  /// coordinates of the file are metres and were taken as they are.
+  /// Place of the scenario's origin on Earth, with x to the east and y to the north. None: the
+  /// coordinates of the file are metres and were used as they are.
   std::optional<GeoPlace> origin = {};
-  /// What was left out or changed, "left out: highway 3".
+  /// Features that were left out or changed: "left out: highway 3".
   std::vector<std::string> notes = {};
-  /// What deserves a look though nothing is wrong, "file:line: key: what".
+  /// Doubtful values that are not wrong: "file:line: key: what".
   std::vector<std::string> warnings = {};
 };
 
@@ -48,7 +50,8 @@ struct GeoJsonScenario {
 [[nodiscard]] bool reads_longitudes() noexcept;
 
 /// Reads and checks a site (GeoJSON). Longitudes and latitudes become metres in a plane that
-/// touches the Earth at the start.
+/// touches the Earth at the start. Throws InputError "file:line: what is wrong", or naming "width"
+/// if `default_width` is out of range.
 [[nodiscard]] GeoJsonScenario read_geojson(const GeoJsonSite& site);
 
 }  // namespace vandplan

@@ -3,8 +3,8 @@
 #pragma once
 // What is a point, a pose, a polygon, an angle?
 //
-// Metres and radians everywhere; headings count counter-clockwise from the x axis. All values are
-// plain; frames are named by whoever holds them (docs/conventions.md).
+// Units are metres and radians. Headings count counter-clockwise from the x axis. A value does not
+// know its frame: the function or field that holds it names the frame (docs/conventions.md).
 
 #include <span>
 #include <utility>
@@ -19,7 +19,7 @@ struct Point {
   bool operator==(const Point&) const = default;
 };
 
-/// Where the midpoint of the rear axle is [m] and where the vehicle points [rad].
+/// Position of the midpoint of the rear axle [m] and heading of the vehicle [rad].
 struct Pose {
   double x = 0.0;
   double y = 0.0;
@@ -27,9 +27,9 @@ struct Pose {
   bool operator==(const Pose&) const = default;
 };
 
-/// A value in the frame of a world, which checkers and planners work in. It is a `T` for whatever
-/// asks for one; a `T` becomes local by name alone: `Local(pose)`. A pose of the scenario's frame
-/// becomes local by `to_local` (problem.h).
+/// A value in the frame of a world, in which checkers and planners work. A `Local<T>` converts to a
+/// `T`. A `T` becomes local by name only, `Local(pose)`, and keeps its numbers. `to_local`
+/// (problem.h) moves a pose from the scenario's frame to the world's.
 template <class T>
 struct Local : T {
   Local() = default;
@@ -39,19 +39,19 @@ struct Local : T {
 /// A pose in the frame of a world.
 using LocalPose = Local<Pose>;
 
-/// Many poses as structure of arrays in float [m, rad], which batch queries read. The three columns
-/// have equal sizes; headings are in [-pi, pi].
+/// Many poses as three columns of float, for batch queries: x and y [m], heading [rad] in
+/// [-pi, pi]. The columns have equal sizes.
 struct PoseColumns {
   std::span<const float> x;
   std::span<const float> y;
   std::span<const float> heading;
 };
 
-/// Corners of a simple polygon in order, convex or concave, either orientation, not closed
-/// (the last corner differs from the first). At least three corners.
+/// Corners of a simple polygon in order [m], at least three. It is convex or concave, in either
+/// orientation. The last corner differs from the first.
 using Polygon = std::vector<Point>;
 
-/// An axis-aligned box; closed: points on its border are inside.
+/// A closed box along the axes [m]: points on its border are inside.
 struct Bounds {
   double x_min = 0.0;
   double x_max = 0.0;
@@ -63,27 +63,29 @@ struct Bounds {
 /// The angle in [-pi, pi) that differs from `angle` by whole turns [rad].
 [[nodiscard]] double wrap_angle(double angle) noexcept;
 
-/// Where `local`, a pose in the frame that the pose `frame` spans, lies in the frame that `frame`
-/// itself is given in.
+/// The pose `local`, which is given in the frame of the pose `frame`, in the frame in which `frame`
+/// is given. The heading is in [-pi, pi).
 [[nodiscard]] Pose compose(const Pose& frame, const Pose& local) noexcept;
+/// `compose` for a pose `frame` in the world's frame: the result is in the world's frame.
 [[nodiscard]] inline LocalPose compose(const LocalPose& frame, const Pose& local) noexcept {
   return Local(compose(static_cast<const Pose&>(frame), local));
 }
 
-/// The pose `pose` in the frame that the pose `frame` spans: the inverse of `compose`. The heading
-/// is in [-pi, pi).
+/// The pose `pose` as seen from the pose `frame`: the inverse of `compose`. Both arguments are
+/// given in one frame. The heading is in [-pi, pi).
 [[nodiscard]] Pose relative(const Pose& frame, const Pose& pose) noexcept;
 
 /// Whether the point lies in the box or on its border.
 [[nodiscard]] bool contains(const Bounds& bounds, const Point& point) noexcept;
 
-/// The smallest box around the points; all its numbers are zero if there are no points.
+/// The smallest box around the points [m]. All its numbers are zero if there are no points.
 [[nodiscard]] Bounds bounding_box(std::span<const Point> points) noexcept;
 
-/// Whether a simple polygon is convex; corners on the line between their neighbours do no harm.
+/// Whether a simple polygon is convex, decided exactly. Corners on the line between their
+/// neighbours are allowed.
 [[nodiscard]] bool is_convex(std::span<const Point> polygon);
 
-/// Whether a point lies inside a simple polygon, decided exactly; for a point on a side either
+/// Whether a point lies inside a simple polygon, decided exactly. For a point on a side either
 /// answer is possible.
 [[nodiscard]] bool contains(std::span<const Point> polygon, const Point& point);
 

@@ -3,7 +3,7 @@
 #pragma once
 // How far is it to the goal, about?
 //
-// Estimates guide searches: docs/algorithms/estimates.md says what each of them knows and leaves
+// Estimates guide searches. docs/algorithms/estimates.md says what each of them knows and leaves
 // out. All poses are in the frame of the task.
 
 #include <functional>
@@ -16,32 +16,34 @@
 
 namespace vandplan::search {
 
-/// What driving from a pose to the goal of one task is estimated to take. Made for one run: a call
-/// may fill a cache, so threads do not share it.
+/// Estimated length from a pose to the goal of one task. It is made for one run: a call may fill a
+/// cache, so threads do not share it.
 struct GoalEstimate {
   std::string name = {};
-  /// Whether it is never above the length of the shortest path among the obstacles, but for
-  /// rounding (1e-9, relative): a search that proves what it finds needs that.
+  /// Whether the estimate is never above the length of the shortest path among the obstacles, but
+  /// for rounding (1e-9, relative). A search that proves what it finds needs that.
   bool is_admissible = false;
-  /// Length from a pose to the goal [m]; infinite where the goal cannot be reached.
+  /// Estimated length from a pose to the goal [m]; infinite where the goal cannot be reached.
   std::function<double(const LocalPose&)> length = {};
 };
 
-/// Names of the estimates, the simplest one first: "euclid", "hlut-1", ..., "choi".
+/// Names of the estimates, the simplest first: "euclid", "hlut-1", ..., "choi".
 [[nodiscard]] std::span<const std::string_view> goal_estimate_names() noexcept;
 
-/// The estimate that asks a user's table (`PlanOptions::table`).
+/// Name of the estimate that looks up a user's table (`PlanOptions::table`).
 inline constexpr std::string_view user_table = "table";
 
-/// The estimate of that name for a task, which outlives it. Throws InputError listing the names
-/// when there is none of that name, and for `user_table`.
+/// The estimate of that name for a task, which must outlive it. Throws InputError naming "estimate"
+/// for an unknown name (the message lists the names), and for `user_table`.
 [[nodiscard]] GoalEstimate make_goal_estimate(std::string_view name, const Task& task);
 
-/// The estimate of that name, where `user_table` asks `table`, which may be null for the others.
+/// The estimate of that name for a task, which must outlive it. `user_table` looks up `table`,
+/// which may be null for other names. Throws InputError naming "estimate" if the name is unknown or
+/// the table is missing.
 [[nodiscard]] GoalEstimate make_goal_estimate(std::string_view name, const Task& task,
                                               const HeuristicTable* table);
 
-/// The larger one of two estimates; admissible if both are.
+/// The larger of two estimates at each pose; admissible if both are.
 [[nodiscard]] GoalEstimate max_of(GoalEstimate a, GoalEstimate b);
 
 }  // namespace vandplan::search

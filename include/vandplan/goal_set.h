@@ -10,56 +10,60 @@
 
 namespace vandplan {
 
-/// All numbers from `least` to `most`, both of them included.
+/// All numbers from `least` to `most`, both included. The unit is that of the field.
 struct Interval {
   double least = 0.0;
   double most = 0.0;
   bool operator==(const Interval&) const = default;
 };
 
-/// All headings from one counter-clockwise to another, both of them included. Equal ones are that
+/// All headings from one counter-clockwise to another, both included. Two equal headings are that
 /// heading alone.
 struct HeadingRange {
-  double from = 0.0;  ///< [rad]
-  double to = 0.0;    ///< [rad]
+  double from = 0.0;  ///< first heading [rad]
+  double to = 0.0;    ///< last heading [rad]
   bool operator==(const HeadingRange&) const = default;
 };
 
-/// Whichever way it points.
+/// Range of all headings.
 inline constexpr HeadingRange any_heading{-std::numbers::pi, std::numbers::pi};
 
-/// How far it is from the first heading counter-clockwise to the last [rad]: at most a full turn if
-/// `to` is no more than that above `from`.
+/// Angle counter-clockwise from the first heading to the last [rad]. It is at most a full turn if
+/// `to` is at most a full turn above `from`.
 [[nodiscard]] double width(const HeadingRange& range) noexcept;
 
-/// Poses where a path may end: every place with every heading.
+/// Set of poses where a path may end: every place of it with every heading of it. The frame is that
+/// of whoever holds the region.
 struct GoalRegion {
-  Interval x = {};    ///< of the midpoint of the rear axle [m]
-  Interval y = {};    ///< [m]
-  Polygon area = {};  ///< simple polygon that replaces `x` and `y`, its edge included; or none
-  HeadingRange heading = {};
-  bool either_way = false;    ///< whether the headings turned by half a turn are goals, too
-  double curvature = 0.0;     ///< `EndCurvatures::goal` [1/m]
+  Interval x = {};  ///< x of the axle's midpoint [m]
+  Interval y = {};  ///< y of the axle's midpoint [m]
+  /// Simple polygon that replaces `x` and `y` [m], its edge included. Empty: `x` and `y` count.
+  Polygon area = {};
+  HeadingRange heading = {};  ///< headings of the vehicle, or of the trailer [rad]
+  /// Whether the headings turned by half a turn are goals, too.
+  bool either_way = false;
+  double curvature = 0.0;     ///< curvature at the goal, as `EndCurvatures::goal` [1/m]
   Interval hitch_angle = {};  ///< heading of the vehicle - heading of its trailer [rad]
-  /// Whether place and heading are those of the trailer's axle.
+  /// Whether place and heading are those of the trailer's axle instead of the vehicle's rear axle.
   bool is_of_trailer = false;
   bool operator==(const GoalRegion&) const = default;
 };
 
-/// The region that holds one pose alone.
+/// The region that holds one pose alone, in the frame of the pose.
 [[nodiscard]] GoalRegion region_of_pose(const Pose& pose) noexcept;
 
-/// Some pose of the axle that a region speaks of: about in its middle; heading in [-pi, pi).
+/// A pose of the region, for the axle that the region speaks of, in the region's frame. It is in
+/// the middle of all intervals, or at the first corner of the area. Its heading is in [-pi, pi).
 [[nodiscard]] Pose some_pose(const GoalRegion& region);
 
-/// Whether the region holds more than a few poses: its place, its heading or its hitch angle is an
-/// interval.
+/// Whether the region holds infinitely many goals: it has an area, or its x, y, heading or hitch
+/// angle is an interval of more than one value.
 [[nodiscard]] bool is_continuous(const GoalRegion& region) noexcept;
 
-/// The goal of a set that a path ends at.
+/// The goal of a set at which a path ends.
 struct ReachedGoal {
-  std::size_t index = 0;  ///< of the region in its set
-  Pose pose = {};         ///< of the vehicle; of this region
+  std::size_t index = 0;  ///< index of the region in its set
+  Pose pose = {};         ///< pose of the vehicle at the goal
   bool operator==(const ReachedGoal&) const = default;
 };
 

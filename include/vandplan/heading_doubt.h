@@ -7,8 +7,8 @@
 
 namespace vandplan {
 
-/// What is odd about a heading beyond a full turn [rad], as one in degrees is: one line that says
-/// how many radians so many degrees are. Empty if nothing is odd.
+/// Doubt about a heading of more than a full turn [rad], which is likely meant in degrees. The text
+/// is one line that says how many radians so many degrees are. It is empty if there is no doubt.
 [[nodiscard]] std::string heading_doubt(double heading);
 
 }  // namespace vandplan

@@ -14,31 +14,34 @@
 
 namespace vandplan {
 
-/// What a table of lengths covers. Both ends of every range are grid points.
+/// Range and grid of a table of lengths. Both ends of every range are grid points.
 struct HeuristicTableOptions {
-  double extent = 10.0;         ///< of |dx| and |dy| [m]; a multiple of `step`
-  double step = 1.0;            ///< of the positions [m]; > 0
-  int heading_cells = 8;        ///< steps of one full turn; >= 1; headings stored: one more
-  double turning_radius = 7.0;  ///< [m]; > 0
+  double extent = 10.0;         ///< largest |dx| and |dy| [m]; a multiple of `step`
+  double step = 1.0;            ///< distance of grid points along x and y [m]; > 0
+  int heading_cells = 8;        ///< steps of a full turn; >= 1; one more heading is stored
+  double turning_radius = 7.0;  ///< turning radius of the lengths [m]; > 0
   bool operator==(const HeuristicTableOptions&) const = default;
 };
 
-/// What one of the four tables of the thesis covers. Throws InputError unless `number` is 1 to 4.
+/// Options of one of the four tables of the thesis. Throws InputError naming "number" unless it is
+/// 1 to 4.
 [[nodiscard]] HeuristicTableOptions thesis_table_options(int number);
 
 /// Reeds-Shepp lengths between relative poses on a four-dimensional grid. Immutable; copies share
 /// the entries.
 class HeuristicTable {
  public:
-  /// Computes all entries of a table (Algorithm 6). Throws InputError if an option is out of range.
+  /// Computes all entries of a table (Algorithm 6). Throws InputError naming the option that is out
+  /// of range; "step" if there would be more than 2^28 entries.
   explicit HeuristicTable(const HeuristicTableOptions& options);
 
-  /// Makes a table of entries that were computed before. Throws InputError if an option is out of
-  /// range or their number is not what the options ask for.
+  /// Makes a table of entries that were computed before. Throws InputError naming the option that
+  /// is out of range, or "entries" if their number is not what the options ask for.
   HeuristicTable(const HeuristicTableOptions& options, std::vector<float> entries);
 
-  /// Makes a table that looks at entries which outlive it and all its copies: constant data. Throws
-  /// InputError if an option is out of range or their number is not what the options ask for.
+  /// Makes a table of constant data: the entries must outlive it and all its copies. Throws
+  /// InputError naming the option that is out of range, or "entries" if their number is not what
+  /// the options ask for.
   HeuristicTable(const HeuristicTableOptions& options, std::span<const float> entries);
 
   /// Position of an entry in the grid of the table.
@@ -50,29 +53,31 @@ class HeuristicTable {
   /// Place of a grid point in `entries()`: row-major [x][y][heading_node][heading_sample].
   [[nodiscard]] std::size_t index_of(const GridPoint& point) const noexcept;
 
-  /// The pose of the node of a grid point [m, rad], in a frame with the sample at the origin.
+  /// Pose of the node of a grid point [m, rad], in the frame with the sample's position as origin.
   [[nodiscard]] Pose node_of(const GridPoint& point) const noexcept;
-  /// The pose of the sample of a grid point: at the origin, its heading in [-pi, pi] [rad].
+  /// Pose of the sample of a grid point: at the origin, heading in [-pi, pi] [rad].
   [[nodiscard]] Pose sample_of(const GridPoint& point) const noexcept;
 
-  /// Estimated length between a node and a sample [m] for a vehicle of turning radius `radius`
-  /// (Algorithm 7): an entry inside the table, Euclid outside. The table scales with the radius:
-  /// extent and step hold for the table's own.
+  /// Estimated length between a node and a sample [m] for a vehicle of turning radius `radius` [m]
+  /// (Algorithm 7). It is an entry inside the table, and the Euclidean distance outside. The table
+  /// scales with the radius: extent and step hold for the table's own radius. Throws InputError
+  /// naming "radius" unless it is > 0.
   [[nodiscard]] double distance(const Pose& node, const Pose& sample, double radius) const;
 
-  /// Estimated lengths between every node and one sample, in float [m]: out[i] belongs to node i.
-  /// Sizes are equal. Otherwise like `distance`.
+  /// Estimated lengths between every node and one sample, as `distance` gives them, in float [m]:
+  /// out[i] belongs to node i. Throws InputError naming "radius" unless it is > 0, or "nodes"
+  /// unless all columns have as many numbers as `out`.
   void distances(const PoseColumns& nodes, const Pose& sample, double radius,
                  std::span<float> out) const;
 
-  /// What the table covers.
+  /// Range and grid of the table.
   [[nodiscard]] const HeuristicTableOptions& options() const noexcept { return options_; }
   /// All lengths [m], in the order of `index_of`.
   [[nodiscard]] std::span<const float> entries() const noexcept { return entries_; }
 
-  /// The number of grid points along x, and likewise along y.
+  /// Number of grid points along x; along y there are as many.
   [[nodiscard]] int positions() const noexcept { return positions_; }
-  /// The number of grid points of a heading, both ends of the turn counted.
+  /// Number of grid points of a heading, both ends of the turn counted.
   [[nodiscard]] int headings() const noexcept { return options_.heading_cells + 1; }
 
  private:
@@ -83,7 +88,7 @@ class HeuristicTable {
 };
 
 /// One of the four tables of the thesis, turning radius 7 m, computed when the library was built.
-/// `number` is in 1..4. Costs nothing to call.
+/// `number` is 1 to 4, otherwise InputError names it. Costs nothing to call.
 [[nodiscard]] HeuristicTable thesis_table(int number);
 
 }  // namespace vandplan

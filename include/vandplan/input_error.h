@@ -8,17 +8,17 @@
 
 namespace vandplan {
 
-/// Input that cannot be used: the one exception of the library, thrown at its doors only.
-/// `what()` is one line, "where: what is wrong, what was expected".
+/// Input that cannot be used: the only exception that the library throws by itself, and only from
+/// public functions. `what()` is one line, "where: what is wrong, what was expected".
 class InputError : public std::runtime_error {
  public:
-  /// An error in a place and the problem there, in words. `where` is a key path ("obstacles[2]",
-  /// "vehicle.width") in the core, "file:line" from files.
+  /// An error at a place, and the problem in words. `where` is a key path in the core
+  /// ("obstacles[2]", "vehicle.width"), "file:line" for files.
   InputError(const std::string& where, const std::string& problem);
 
-  /// The place that is wrong: a key path, or "file:line".
+  /// Place of the error: a key path, or "file:line".
   [[nodiscard]] const std::string& where() const noexcept { return where_; }
-  /// What is wrong there, and what was expected.
+  /// What is wrong at that place, and what was expected.
   [[nodiscard]] const std::string& problem() const noexcept { return problem_; }
 
  private:

@@ -20,65 +20,73 @@
 
 namespace vandplan {
 
-/// What becomes of something that moves after its last row.
+/// What happens to a moving obstacle after the last row of its trajectory.
 enum class Afterwards : std::uint8_t {
-  stays,   ///< it stands there for ever
-  leaves,  ///< it is gone, as a car that has left the yard
+  stays,   ///< the obstacle stands there for ever
+  leaves,  ///< the obstacle is gone, as a car that has left the yard
 };
 
-/// "stays" or "leaves".
+/// Name of the value: "stays" or "leaves".
 [[nodiscard]] std::string_view name_of(Afterwards after) noexcept;
 
-/// Where something is at a time.
+/// A pose at a time.
 struct TimedPose {
-  double t = 0.0;  ///< [s]
+  double t = 0.0;  ///< time [s]
   Pose pose = {};
   bool operator==(const TimedPose&) const = default;
 };
 
 /// A vehicle, a person or a door that moves by itself. The field names are keys of scenario files.
 struct MovingObstacle {
-  /// A simple polygon in a frame of its own [m]. It is closed: touching it is a contact.
+  /// A simple polygon in the obstacle's own frame [m]. It is closed: touching it is a contact.
   Polygon outline = {};
-  /// Where that frame is when: at least one row, t increases. From row to row it moves and turns
-  /// evenly, the shorter way round. Before the first row it stands there.
+  /// Poses of the obstacle's own frame over time: at least one row, t increases. Between two rows
+  /// the obstacle moves and turns evenly, the shorter way round. Before the first row it stands
+  /// there.
   std::vector<TimedPose> trajectory = {};
-  Afterwards after = Afterwards::stays;
-  /// The outline grows by so much on all sides for each second from t = 0 to the last row, as what
-  /// is predicted becomes less certain [m/s]; >= 0.
+  Afterwards after = Afterwards::stays;  ///< what happens after the last row
+  /// Growth of the outline on all sides per second, from t = 0 to the last row [m/s]; >= 0. It
+  /// stands for predictions that become less certain.
   double inflate = 0.0;
   bool operator==(const MovingObstacle&) const = default;
 };
 
-/// Where the frame of the obstacle is at time `t`; none once it has left, or without a trajectory.
+/// Pose of the obstacle's own frame at time `t` [s], in the frame of its trajectory. None once the
+/// obstacle has left, or without a trajectory.
 [[nodiscard]] std::optional<Pose> pose_at(const MovingObstacle& obstacle, double t) noexcept;
 
-/// How much larger the outline is at time `t` than it says, on all sides [m].
+/// Growth of the outline on all sides at time `t` [s], in metres.
 [[nodiscard]] double growth_at(const MovingObstacle& obstacle, double t) noexcept;
 
-/// When the last of them comes to rest or leaves [s]; 0 if there are none.
+/// Time at which the last obstacle comes to rest or leaves [s]; 0 if there are none.
 [[nodiscard]] double end_of_motion(std::span<const MovingObstacle> moving) noexcept;
 
-/// A path and when the vehicle is where on it. It stands at the end of the path for ever after.
+/// A path and the speeds along it. After its duration the vehicle stands at the end of the path for
+/// ever.
 struct TimedPath {
   Path path;
   SpeedProfile speeds;
 };
 
-/// The moment when a vehicle first comes too near to something that moves.
+/// The moment at which a vehicle first comes too near to a moving obstacle.
 struct Meeting {
-  double t = 0.0;            ///< [s]
-  double s = 0.0;            ///< driven distance [m]
-  Pose pose = {};            ///< of the vehicle, in the frame of the path
-  std::size_t obstacle = 0;  ///< which one it meets
+  double t = 0.0;            ///< time [s]
+  double s = 0.0;            ///< driven distance since the start of the path [m]
+  Pose pose = {};            ///< pose of the vehicle, in the frame of the path
+  std::size_t obstacle = 0;  ///< index of the obstacle in the list
 };
 
-/// How far from its margin the vehicle may still be at a meeting [m].
+/// Largest distance beyond the margin at which a meeting may be reported [m].
 inline constexpr double meeting_tolerance = 1e-3;
 
-/// The first moment of the drive, or after it, at which the footprint is within `margin` [m] of
-/// something that moves. Without a step size: none is missed, and there is none where all keep
-/// `meeting_tolerance` more than the margin. Everything in one frame.
+/// First moment of the drive, or after it, at which the footprint is within `margin` of a moving
+/// obstacle [m]. None if there is no such moment. All arguments share one frame.
+///
+/// There is no step size, so no meeting is missed. There is none where all obstacles stay more than
+/// `meeting_tolerance` beyond the margin. A trailer counts, and begins in line with the vehicle.
+///
+/// Throws InputError naming "segments[3]" (not finite), "drive.speeds" (no knots), "margin"
+/// (negative) or "moving[2]" (no outline or no trajectory).
 [[nodiscard]] std::optional<Meeting> first_meeting(const TimedPath& drive, const Vehicle& vehicle,
                                                    std::span<const MovingObstacle> moving,
                                                    double margin);

@@ -3,8 +3,8 @@
 #pragma once
 // Which cells of a map are obstacles?
 //
-// A cell is a closed square: touching a blocked one is a collision. Theory of the collision checks:
-// docs/algorithms/occupancy_grid.md; how a map file becomes a grid: docs/formats.md.
+// A cell is a closed square: touching a blocked cell is a collision. Theory of the collision
+// checks: docs/algorithms/occupancy_grid.md. How a map file becomes a grid: docs/formats.md.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,34 +15,37 @@
 
 namespace vandplan {
 
-/// What a map knows of a cell.
+/// What a map says about a cell.
 enum class Cell : std::uint8_t { free, occupied, unknown };
 
 /// A rectangle of square cells. Copies share the cells, which nobody changes.
 struct OccupancyGrid {
-  Pose origin = {};          ///< corner of cell (0, 0); columns count along its heading, rows left
+  /// Corner of cell (0, 0) [m] and direction of the rows [rad]. Columns count along its heading,
+  /// rows to the left of it.
+  Pose origin = {};
   double resolution = 1.0;   ///< side of a cell [m]; > 0
-  std::int32_t columns = 0;  ///< >= 1
-  std::int32_t rows = 0;     ///< >= 1
-  /// All cells, row by row: columns * rows of them.
+  std::int32_t columns = 0;  ///< number of columns; >= 1
+  std::int32_t rows = 0;     ///< number of rows; >= 1
+  /// All cells, row by row: columns * rows of them. Cell (column, row) has the index
+  /// row * columns + column.
   std::shared_ptr<const std::vector<Cell>> cells = {};
-  /// Whether unknown cells, and all that lies outside of the grid, are free; by default they are
-  /// obstacles.
+  /// Whether unknown cells and all ground outside the grid are free. By default they are obstacles.
   bool unknown_is_free = false;
 };
 
-/// The most cells that a grid may have.
+/// Largest number of cells that a grid may have.
 inline constexpr std::int64_t most_map_cells = 400'000'000;
 
-/// A rectangle of cells of a grid.
+/// A rectangle of cells of a grid, given by its first cell and its size.
 struct CellRange {
-  std::int32_t column = 0;  ///< of its first cell
-  std::int32_t row = 0;
-  std::int32_t columns = 0;
-  std::int32_t rows = 0;
+  std::int32_t column = 0;   ///< column of the first cell
+  std::int32_t row = 0;      ///< row of the first cell
+  std::int32_t columns = 0;  ///< number of columns
+  std::int32_t rows = 0;     ///< number of rows
 };
 
-/// Whether a cell is an obstacle. One outside of the grid, or that `cells` lack, is unknown.
+/// Whether a cell is an obstacle. A cell outside the grid, or one that `cells` lack, counts as
+/// unknown.
 [[nodiscard]] inline bool is_blocked(const OccupancyGrid& grid, std::int32_t column,
                                      std::int32_t row) noexcept {
   if (column < 0 || row < 0 || column >= grid.columns || row >= grid.rows) {
@@ -55,8 +58,8 @@ struct CellRange {
   return cell == Cell::occupied || (cell == Cell::unknown && !grid.unknown_is_free);
 }
 
-/// The four corners of the whole grid, in the frame that its `origin` is given in [m],
-/// counter-clockwise from there.
+/// The four corners of the whole grid [m], in the frame in which `origin` is given. They are
+/// counter-clockwise and begin at the origin.
 [[nodiscard]] Polygon outline(const OccupancyGrid& grid);
 
 }  // namespace vandplan

@@ -15,8 +15,8 @@
 
 namespace vandplan::ompl {
 
-/// A planner of OMPL that uses `Nearest` where the space is our Reeds-Shepp space, and is
-/// as it was over any other space.
+/// A planner of OMPL that uses `Nearest` over our Reeds-Shepp space. Over any other space it is
+/// unchanged.
 template <typename Base, template <typename> class Nearest = NearestByLength>
 class ByLength : public Base {
  public:
@@ -30,21 +30,24 @@ class ByLength : public Base {
       return;
     }
     by_length_ = true;
-    this->template setNearestNeighbors<Nearest>();  // which calls `setup`
+    // This function calls `setup` again.
+    this->template setNearestNeighbors<Nearest>();
   }
 
  private:
   bool by_length_ = false;
 };
 
-/// OMPL's PRM, which keeps the states of its nodes to itself, likewise.
+/// OMPL's PRM with nearest nodes by exact length over our Reeds-Shepp space. It hides the states of
+/// its nodes, so `ByLength` does not fit.
 class PRM : public ::ompl::geometric::PRM {
  public:
   using ::ompl::geometric::PRM::PRM;
   void setup() override;
 };
 
-/// OMPL's BIT*, which takes no other structure from outside, likewise.
+/// OMPL's BIT* with nearest nodes by exact length over our Reeds-Shepp space. It takes no other
+/// structure from outside, so `ByLength` does not fit.
 class BITstar : public ::ompl::geometric::BITstar {
  public:
   using ::ompl::geometric::BITstar::BITstar;
@@ -54,7 +57,7 @@ class BITstar : public ::ompl::geometric::BITstar {
 }  // namespace vandplan::ompl
 
 // With `namespace og = vandplan::ompl::geometric;` in place of `namespace og = ompl::geometric;`
-// these planners of a program are ours and everything else of that name is OMPL's.
+// these planners of a program are ours, and every other name is OMPL's.
 namespace vandplan::ompl::geometric {
 using namespace ::ompl::geometric;
 using ompl::BITstar;

@@ -5,8 +5,8 @@
 //
 //   planner->setNearestNeighbors<vandplan::ompl::NearestByLength>();
 //
-// for planners whose nodes lead to their states: RRT, RRTConnect, RRTstar and most others.
-// ompl_geometric.h has planners that need not be told.
+// This works for planners whose nodes lead to their states: RRT, RRTConnect, RRTstar and most
+// others. ompl_geometric.h has planners that do it by themselves.
 
 #include <ompl/datastructures/NearestNeighbors.h>
 #include <ompl/util/Exception.h>
@@ -24,7 +24,7 @@
 
 namespace vandplan::ompl {
 
-/// The state that a planner's node leads to, wherever the planner keeps it.
+/// Node types of planners that lead to a state, wherever the planner keeps it.
 template <typename T>
 concept HasState = requires(const T& node) {
   node->state;
@@ -33,6 +33,7 @@ concept HasState = requires(const T& node) {
 || requires(const T& node) { node->getState(); }
 || requires(const T& node) { node->state_; };
 
+/// The state of a planner's node.
 template <HasState T>
 [[nodiscard]] const ::ompl::base::State* state_of(const T& node) {
   if constexpr (requires { node->getState(); }) {
@@ -46,18 +47,19 @@ template <HasState T>
   }
 }
 
-/// Nodes of an OMPL planner, found by Reeds-Shepp length: exactly, ties to the older node. Queries
-/// may run in many threads at once.
+/// Nodes of an OMPL planner, found exactly by Reeds-Shepp length; ties go to the older node.
+/// Queries may run in many threads at once.
 template <typename T>
 class NearestByLength : public ::ompl::NearestNeighbors<T> {
  public:
   using StateOf = std::function<const ::ompl::base::State*(const T&)>;
 
-  /// Learns the turning radius from the distance function that the planner sets: that of our
-  /// Reeds-Shepp space. The first node throws ompl::Exception if it is another one.
+  /// Learns the turning radius from the distance function that the planner sets, which must be that
+  /// of our Reeds-Shepp space. Otherwise the first node throws ompl::Exception.
   NearestByLength() requires HasState<T> : state_of_(ompl::state_of<T>) {}
 
-  /// For a turning radius > 0 [m] and nodes of any kind; the distance function does not count.
+  /// Nodes of any kind for a turning radius > 0 [m]; `state_of` returns the state of a node. The
+  /// distance function is not used. Throws InputError naming "radius" for another radius.
   NearestByLength(double turning_radius, StateOf state_of)
       : radius_(turning_radius),
         state_of_(std::move(state_of)),
@@ -80,7 +82,8 @@ class NearestByLength : public ::ompl::NearestNeighbors<T> {
     data_.emplace_back(data);
   }
 
-  /// Takes out the youngest equal one whose state has not changed since it was added.
+  /// Removes the youngest equal node whose state has not changed since it was added; false without
+  /// one.
   bool remove(const T& data) override {
     if (size() == 0) return false;
     const std::vector<NearNode> there = nodes_->nearest(pose(data), {.within = 0.0});
@@ -118,7 +121,7 @@ class NearestByLength : public ::ompl::NearestNeighbors<T> {
   }
 
  protected:
-  /// From now on `nearestK` and `nearestR` may find in any order.
+  /// Lets `nearestK` and `nearestR` return nodes in any order from now on.
   void leave_unsorted() { is_sorted_ = false; }
 
  private:
@@ -147,22 +150,22 @@ class NearestByLength : public ::ompl::NearestNeighbors<T> {
     for (const NearNode& near : nodes_->nearest(pose(data), wanted)) found.push_back(at(near.node));
   }
 
-  /// Forgets the numbers of those that were taken out.
+  /// Drops the numbers of removed nodes.
   void close_up() {
     std::erase(data_, std::nullopt);
     nodes_.emplace(radius_);
     for (const std::optional<T>& one : data_) nodes_->add(pose(*one));
   }
 
-  double radius_ = 0.0;  // of turning [m]
+  double radius_ = 0.0;  // turning radius [m]
   bool is_sorted_ = true;
   StateOf state_of_;
   std::optional<NearestNodes> nodes_ = {};
-  std::vector<std::optional<T>> data_ = {};  // by number of the node
+  std::vector<std::optional<T>> data_ = {};  // nodes by their number; none once removed
 };
 
-/// Finds the nodes that `NearestByLength` finds, several of them in any order: sooner, and enough
-/// for planners that look at all of them, such as RRT*.
+/// Finds the nodes that `NearestByLength` finds, in any order. It is faster, and enough for
+/// planners that look at all of the found nodes, such as RRT*.
 template <typename T>
 class NearestSetByLength : public NearestByLength<T> {
  public:

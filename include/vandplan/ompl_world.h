@@ -22,17 +22,20 @@ namespace vandplan::ompl {
 
 class Curves;
 
-/// Whether the vehicle of a problem is free at a state: clear of everything, by a margin if there
-/// is one, with its rear axle in the bounds of the scenario. The bounds of the space are where
-/// samples are drawn and do not count.
+/// Validity of states for the vehicle of a problem. At a valid state the vehicle is clear of all
+/// obstacles, by a margin if there is one. Its rear axle is in the bounds of the scenario. The
+/// bounds of the space do not count; samples are drawn in them.
 class StateValidityChecker : public ::ompl::base::StateValidityChecker {
  public:
+  /// A checker for a problem and a margin. Throws InputError naming "margin" or "margin_ramp" if it
+  /// is out of range.
   StateValidityChecker(const ::ompl::base::SpaceInformationPtr& si, const Problem& problem,
                        const ClearanceOptions& clearance = {});
 
+  /// Whether the vehicle is free at the state.
   bool isValid(const ::ompl::base::State* state) const override;
 
-  /// The distance of the body from the nearest thing, of the wheels from kerbs [m].
+  /// Least distance of the body from obstacles, and of the wheels from kerbs [m]; 0 if they touch.
   double clearance(const ::ompl::base::State* state) const override;
 
   [[nodiscard]] const Problem& problem() const noexcept { return problem_; }
@@ -44,30 +47,34 @@ class StateValidityChecker : public ::ompl::base::StateValidityChecker {
   std::shared_ptr<const CollisionChecker> checker_;
 };
 
-/// Whether the vehicle of a problem is free everywhere on the shortest path between two states:
-/// exact, without a step size. The space is a Reeds-Shepp or Dubins space, ours or OMPL's.
+/// Validity of motions for the vehicle of a problem. A motion is valid if the vehicle is free
+/// everywhere on the shortest path between its states: exact, without a step size. The space is a
+/// Reeds-Shepp or Dubins space, ours or OMPL's.
 class MotionValidator : public ::ompl::base::MotionValidator {
  public:
-  /// Throws ompl::Exception for another space, or one that turns more sharply than the vehicle can.
+  /// A validator for a problem and a margin. Throws ompl::Exception for another space, or one that
+  /// turns more sharply than the vehicle can.
   MotionValidator(const ::ompl::base::SpaceInformationPtr& si, const Problem& problem,
                   const ClearanceOptions& clearance = {});
   ~MotionValidator() override;
 
+  /// Whether the vehicle is free on the shortest path between the states.
   bool checkMotion(const ::ompl::base::State* from, const ::ompl::base::State* to) const override;
 
-  /// On the way to the first contact `last_valid` is free: less than a micrometre before the place
-  /// up to which the way is known to be free.
+  /// Whether the vehicle is free on the shortest path between the states. If not, `last_valid` gets
+  /// a state before the first contact and its share of the path. It lies less than a micrometre
+  /// before the place up to which the path is known to be free.
   bool checkMotion(const ::ompl::base::State* from, const ::ompl::base::State* to,
                    std::pair<::ompl::base::State*, double>& last_valid) const override;
 
  private:
   std::unique_ptr<const Curves> curves_;
-  Point origin_;  // of the world in the scenario's frame [m]
+  Point origin_;  // origin of the world in the scenario's frame [m]
   std::shared_ptr<const CollisionChecker> checker_;
 };
 
-/// Gives a set-up over a Reeds-Shepp or Dubins space the validity checker, the motion validator,
-/// start and goal of a problem, and the bounds of the space: those of the region.
+/// Gives a set-up over a Reeds-Shepp or Dubins space what a problem needs: validity checker, motion
+/// validator, start and goal. The bounds of `region` become the bounds of the space.
 void set_problem(::ompl::geometric::SimpleSetup& setup, const Problem& problem,
                  Region region = Region::bounds, const ClearanceOptions& clearance = {});
 

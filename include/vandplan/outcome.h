@@ -3,8 +3,8 @@
 #pragma once
 // What does a planner answer?
 //
-// An answer holds segments, not poses: it means the same in every frame. `plan` (planner.h) makes a
-// result of it that the judge has seen.
+// The answer of a planner holds segments, not poses, so it means the same in every frame. `plan`
+// (planner.h) makes it a result that the judge has checked.
 
 #include <cstdint>
 #include <optional>
@@ -17,36 +17,36 @@
 
 namespace vandplan {
 
-/// How a run ended. A path is there if and only if it is `solved`.
+/// How a run ended. There is a path if and only if the status is `solved`.
 enum class PlanStatus {
-  solved,
-  start_in_collision,  ///< or outside the bounds
-  goal_in_collision,   ///< or outside the bounds
-  iteration_limit,
-  node_limit,
-  time_limit,
-  stopped,   ///< by the caller
-  no_path,   ///< proven: there is none
-  rejected,  ///< the planner's path failed the judge
+  solved,              ///< a path was found, and the judge accepts it
+  start_in_collision,  ///< the start collides, is too near to something, or lies outside the bounds
+  goal_in_collision,   ///< the goal collides, is too near to something, or lies outside the bounds
+  iteration_limit,     ///< no path within the iterations
+  node_limit,          ///< the search ran out of nodes before it had a path
+  time_limit,          ///< no path within the time
+  stopped,             ///< the caller stopped the run before it had a path
+  no_path,             ///< proven: no path exists
+  rejected,  ///< the judge rejects the path of the planner, or its answer contradicts itself
 };
 
-/// "solved", "start_in_collision", ...
+/// Name of the status: "solved", "start_in_collision", ...
 [[nodiscard]] std::string_view name_of(PlanStatus status) noexcept;
 
-/// All of them, in order.
+/// All statuses, in the order of the enumeration.
 [[nodiscard]] const std::vector<PlanStatus>& plan_statuses();
 
-/// When the best path got better.
+/// A moment at which the best path of a run became cheaper.
 struct CostSample {
-  double time = 0.0;  ///< since the run began [s]
-  std::int64_t iteration = 0;
-  /// Cost of that path [m], or [s] where the cost is the time. It falls from sample to sample, but
-  /// among moving obstacles: a path that costs more may have a shorter drive.
+  double time = 0.0;           ///< time since the run began [s]
+  std::int64_t iteration = 0;  ///< iteration of the run
+  /// Cost of the path [m], or [s] where the cost is the time. It falls from sample to sample,
+  /// except among moving obstacles: a path that costs more may have a shorter drive.
   double cost = 0.0;
   bool operator==(const CostSample&) const = default;
 };
 
-/// Something that a planner counts, by name: "nodes", "exact_solves", "edge_checks".
+/// A count of a planner, by name: "nodes", "exact_solves", "edge_checks".
 struct Counter {
   std::string name;
   std::int64_t value = 0;
@@ -56,30 +56,33 @@ struct Counter {
 /// Time spent in one phase of a run, by name: "ranking", "steering", "checking".
 struct PhaseTime {
   std::string name;
-  double seconds = 0.0;
+  double seconds = 0.0;  ///< time in the phase [s]
   bool operator==(const PhaseTime&) const = default;
 };
 
-/// A search tree: poses, and each node's parent, -1 for a root. Parents come before children. A
-/// search that grows several trees has several roots.
+/// A search tree. Parents come before their children. A search that grows several trees has several
+/// roots.
 struct TreeSnapshot {
-  std::vector<Pose> poses;
-  std::vector<std::int32_t> parents;
+  std::vector<Pose> poses;            ///< pose of each node; whoever holds the tree names the frame
+  std::vector<std::int32_t> parents;  ///< index of each node's parent; -1 for a root
 };
 
-/// What a planner returns. Cost and time of the path are worked out by `plan`.
+/// What the function of a planner returns. `plan` computes cost and time of the path.
 struct PlannerAnswer {
   PlanStatus status = PlanStatus::stopped;
-  /// From the task's start to its goal; there if and only if the status is `solved`.
+  /// Segments from the task's start to its goal. They are there if and only if the status is
+  /// `solved`.
   std::optional<std::vector<Segment>> segments = {};
-  /// When the vehicle is where; there if the task has something that moves, and a path.
+  /// Speeds along the path. They are needed with a path if the task has moving obstacles.
   std::optional<SpeedProfile> speeds = {};
-  double lower_bound = 0.0;  ///< no path costs less [m]; proven; 0: nothing is
-  std::int64_t iterations = 0;
-  std::vector<CostSample> anytime = {};
-  std::vector<Counter> counters = {};
-  std::vector<PhaseTime> phases = {};     ///< when the planner was asked to measure them
-  std::optional<TreeSnapshot> tree = {};  ///< in the task's frame, when it was asked for
+  /// Proven lower bound of the cost of every path [m] or [s]; 0: nothing is proven.
+  double lower_bound = 0.0;
+  std::int64_t iterations = 0;           ///< iterations that the run has spent
+  std::vector<CostSample> anytime = {};  ///< moments at which the best path became cheaper
+  std::vector<Counter> counters = {};    ///< counts of the planner, by names of its own
+  /// Times of phases, if the planner was asked to measure them.
+  std::vector<PhaseTime> phases = {};
+  std::optional<TreeSnapshot> tree = {};  ///< search tree in the task's frame, if it was asked for
   std::string reason = {};                ///< why there is no path, one line; or empty
 };
 

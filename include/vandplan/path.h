@@ -14,27 +14,33 @@
 
 namespace vandplan {
 
-/// A stretch in one gear whose curvature is constant (an arc or a line) or changes evenly (a
-/// clothoid).
+/// Part of a path in one gear. Its curvature is constant (an arc or a line) or changes linearly
+/// with the driven distance (a clothoid).
 struct Segment {
-  double curvature = 0.0;       ///< at the start [1/m]; positive turns left when driving forward
-  double length = 0.0;          ///< driven distance [m]; negative is in reverse
-  double curvature_rate = 0.0;  ///< change of curvature per metre driven, in either gear [1/m^2]
+  /// Curvature at the start of the segment [1/m]; positive turns left when driving forward.
+  double curvature = 0.0;
+  /// Driven distance [m]; negative in reverse.
+  double length = 0.0;
+  /// Change of curvature per metre driven, in either gear [1/m^2]; 0 on arcs and lines.
+  double curvature_rate = 0.0;
   bool operator==(const Segment&) const = default;
 };
 
-/// Curvature of a segment after `driven` metres, 0 to its length in either gear [1/m].
+/// Curvature of a segment after `driven` metres [1/m]. `driven` is from 0 to |length|, in either
+/// gear.
 [[nodiscard]] inline double curvature_at(const Segment& segment, double driven) noexcept {
   if (segment.curvature_rate == 0.0) return segment.curvature;
   return segment.curvature + segment.curvature_rate * driven;
 }
 
-/// What of a segment is driven from `begin` to `end` [m], 0 <= begin <= end <= its length.
+/// The part of a segment between two driven distances [m], 0 <= begin <= end <= |length|.
 [[nodiscard]] Segment part_of(const Segment& segment, double begin, double end) noexcept;
 
-/// Room for segments that costs nothing until it is used: whoever holds it knows which are there.
+/// Storage for 16 segments without initialisation. Whoever holds it counts which segments are
+/// valid.
 class SegmentRoom {
  public:
+  /// Number of segments for which there is storage.
   [[nodiscard]] static constexpr std::size_t size() noexcept { return 16; }
 
   [[nodiscard]] Segment* data() noexcept { return reinterpret_cast<Segment*>(bytes_.data()); }
@@ -45,15 +51,15 @@ class SegmentRoom {
   [[nodiscard]] const Segment& operator[](std::size_t i) const noexcept { return data()[i]; }
 
  private:
-  // A segment is a plain value, so bytes become one as soon as one is written there.
+  // A segment is a plain value: bytes become a segment as soon as one is written to them.
   alignas(Segment) std::array<std::byte, 16 * sizeof(Segment)> bytes_;
 };
 
-/// The result of one steering call, held in place so that a planner's loop allocates nothing.
-/// Segments of length zero do not occur; equal poses give none.
+/// Result of one steering call, held in place so that a planner's loop allocates nothing. No
+/// segment has length zero. Equal poses give a piece without segments.
 struct Piece {
-  SegmentRoom segments;    ///< the first `count` are there
-  std::uint8_t count = 0;  ///< at most `SegmentRoom::size()`
+  SegmentRoom segments;    ///< only the first `count` segments are valid
+  std::uint8_t count = 0;  ///< number of segments; at most `SegmentRoom::size()`
   double length = 0.0;     ///< sum of the absolute segment lengths [m]
 
   Piece() noexcept = default;
@@ -67,30 +73,34 @@ struct Piece {
     return *this;
   }
 
+  /// The valid segments; they live as long as the piece.
   [[nodiscard]] std::span<const Segment> view() const noexcept { return {segments.data(), count}; }
 };
 
-/// The way back: from the end of `piece` to its start, over the same ground in the other gear.
+/// The piece back from the end of `piece` to its start, over the same ground in the other gear.
 [[nodiscard]] Piece reversed(const Piece& piece) noexcept;
 
-/// A start pose and what is driven from it.
+/// A path: its start pose and the segments driven from there. Its frame is that of `start`.
 struct Path {
   Pose start;
   std::vector<Segment> segments;
   bool operator==(const Path&) const = default;
 };
 
-/// A pose on a path, with what a follower wants to know about it.
+/// A pose on a path, with what a path follower needs.
 struct PathPoint {
   double s = 0.0;  ///< driven distance since the start [m]
-  Pose pose;
-  double curvature = 0.0;  ///< there, of the segment driven next (at the end: last) [1/m]
-  int direction = 1;       ///< 1 forward, -1 reverse
+  Pose pose;       ///< pose in the frame of the path
+  /// Curvature at the pose [1/m]: of the segment driven next, or of the last one at the end of the
+  /// path.
+  double curvature = 0.0;
+  int direction = 1;  ///< 1 forward, -1 reverse
 };
 
-/// Where the vehicle is after driving the segment: exact but for rounding, a clothoid too
-/// (docs/algorithms/clothoid.md).
+/// Pose after driving the segment from `pose`, in the frame of `pose`; heading in [-pi, pi). It is
+/// exact but for rounding, for clothoids too (docs/algorithms/clothoid.md).
 [[nodiscard]] Pose advance(const Pose& pose, const Segment& segment) noexcept;
+/// Pose after driving the segment from a pose in the world's frame, in that frame.
 [[nodiscard]] inline LocalPose advance(const LocalPose& pose, const Segment& segment) noexcept {
   return Local(advance(static_cast<const Pose&>(pose), segment));
 }
@@ -101,25 +111,28 @@ struct PathPoint {
 /// Sum of the absolute segment lengths of the path [m].
 [[nodiscard]] double length(const Path& path) noexcept;
 
-/// How often the direction of travel changes; segments of length zero do not count.
+/// Number of changes between forward and reverse. Segments of length zero do not count.
 [[nodiscard]] int gear_changes(std::span<const Segment> segments) noexcept;
 
-/// How often the direction of travel changes on the path.
+/// Number of changes between forward and reverse on the path.
 [[nodiscard]] int gear_changes(const Path& path) noexcept;
 
-/// The pose at the end of the path. Like `pose_at` and `sampled` it adds up the way beside the
-/// path's start, so that paths far from the origin keep what a double can hold.
+/// Pose at the end of the path, in its frame. Like `pose_at` and `sampled`, this function sums
+/// poses relative to the path's start. So paths far from the origin keep the precision of a double.
 [[nodiscard]] Pose end_pose(const Path& path) noexcept;
 
-/// The pose after `s` metres of the path, clamped to [0, length].
+/// Pose after `s` metres of the path, in its frame. `s` is clamped to [0, length].
 [[nodiscard]] Pose pose_at(const Path& path, double s) noexcept;
 
-/// Points of the path at most `step` [m] apart, both ends of every segment among them. Throws
-/// InputError unless the path is finite, `step` > 0, and the points are 10^7 at most.
+/// Points of the path from start to end, at most `step` apart [m]. The ends of every segment are
+/// among them. A path without segments gives its start alone.
+///
+/// Throws InputError naming "segments[3]" for a segment that is not finite, or "step" unless it
+/// is > 0 and at least a 10^7th of the path's length.
 [[nodiscard]] std::vector<PathPoint> sampled(const Path& path, double step);
 
-/// Neighbouring segments joined where gear and curvature go on (clothoids: at the same rate),
-/// segments of length zero left out.
+/// The segments, with neighbours joined where gear and curvature continue (clothoids: with an equal
+/// rate). Segments of length zero are left out.
 [[nodiscard]] std::vector<Segment> merged(std::span<const Segment> segments);
 
 }  // namespace vandplan

@@ -5,8 +5,9 @@
 //
 //   const auto result = vandplan::plan(problem, vandplan::with_sources({{"mine", make}}));
 //
-// A source proposes paths while the planner runs. Each is checked, shortened and compared with what
-// the planner finds itself. Whatever a source proposes, the answer has passed the judge.
+// A source proposes paths while the planner runs. The planner checks and shortens each, and
+// compares it with the paths that it finds itself. Whatever a source proposes, the result has
+// passed the judge.
 
 #include <cstdint>
 #include <functional>
@@ -19,43 +20,47 @@
 
 namespace vandplan {
 
-/// A path in the frame of a task.
+/// A path in the frame of a task, which is the world's.
 struct LocalPath {
   LocalPose start;
   std::vector<Segment> segments;
 };
 
-/// Proposes paths in one run. Calls come one after the other, from any thread of the run. Answers
-/// repeat if what a source does depends on the seed and on what it hears alone.
+/// Proposes paths in one run. Calls come one after the other, from any thread of the run. Results
+/// repeat if the source depends only on the seed and on what `hear` is given.
 class PathSource {
  public:
   virtual ~PathSource() = default;
 
-  /// One iteration of the run, at best some ten microseconds of work: a path, or none yet. A path
-  /// may begin or end elsewhere, or hit something. The planner makes a free path of it that keeps
-  /// to its way, if it can. A number that is not finite ends the run with InputError.
+  /// A path, or none yet: one iteration of the run, at best some ten microseconds of work. The path
+  /// is in the frame of the task. It may begin or end elsewhere, or hit something: the planner
+  /// makes a free path along it, if it can. A number that is not finite ends the run with
+  /// InputError.
   [[nodiscard]] virtual std::optional<LocalPath> propose() = 0;
 
-  /// Whether another call may bring a path. If none of the planner's workers has work, the run
-  /// ends.
+  /// Whether another call of `propose` may bring a path. The run ends when none of the planner's
+  /// workers has work.
   [[nodiscard]] virtual bool has_work() const = 0;
 
-  /// The cheapest path that the planner knows of [m], whoever proposed it; called when there is
-  /// another one.
+  /// Receives the cheapest path so far, in the frame of the task, and its cost [m]. It is called
+  /// when the planner has a cheaper path, whoever proposed it.
   virtual void hear(const LocalPath& /*best*/, double /*cost*/) {}
 };
 
-/// A source in its place.
+/// A source of paths under a name, with its share of the work.
 struct NamedSource {
-  std::string name;
-  /// Makes the source for one run. The task and the options outlive the source; start and goal are
-  /// free.
+  std::string name;  ///< name of the source; error messages have it
+  /// Makes the source for one run; required. The task and the options outlive the source. Start and
+  /// goal of the task are free.
   std::function<std::unique_ptr<PathSource>(const Task&, const PlanOptions&)> make;
-  std::int64_t share = 16;  ///< iterations of a round; [1, 10000]; a quarter of it at first
+  /// Iterations of the source in a round while no path is known; [1, 10000]. The round after the
+  /// first path has a quarter of it. Later rounds have up to 16 times as much.
+  std::int64_t share = 16;
 };
 
-/// The default planner, with sources of paths beside its own workers. It ignores them with a
-/// trailer. Throws InputError for a source without `make` or with a share out of range.
+/// The default planner, with sources of paths beside its own workers. For a vehicle with a trailer
+/// it ignores them. Throws InputError naming "source NAME" if it has no `make` or its share is out
+/// of range.
 [[nodiscard]] Planner with_sources(std::vector<NamedSource> sources);
 
 }  // namespace vandplan

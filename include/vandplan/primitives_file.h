@@ -3,7 +3,7 @@
 #pragma once
 // How do the primitives of other programs become ours?
 //
-// Their files hold sampled poses; what is read are exact segments that pass by those.
+// Their files hold sampled poses. Exact segments that pass by those poses are read from them:
 // docs/algorithms/lattice.md, "Files of others".
 
 #include <memory>
@@ -13,9 +13,9 @@
 
 namespace vandplan {
 
-/// Reads the primitives of Nav2 (a file that ends in ".json", of its lattice_primitives) or of SBPL
-/// (".mprim"). Nav2's are taken in reverse as well. Throws InputError "file:line: what is wrong,
-/// what was expected".
+/// Reads the primitives of Nav2 (".json", of its lattice_primitives) or of SBPL (".mprim"). Those
+/// of Nav2 are taken in reverse as well. Throws InputError "file:line: what is wrong, what was
+/// expected".
 [[nodiscard]] std::shared_ptr<const search::Primitives> read_primitives(const std::string& file);
 
 }  // namespace vandplan

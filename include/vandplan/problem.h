@@ -5,8 +5,8 @@
 //
 //  Scenario (unchecked) --make_problem--> Problem in a World (checked) --task--> what planners see
 //
-// Callers meet one frame, the scenario's. Planners work in the frame of the world, whose origin
-// lies near the start: a double resolves no more than a micrometre at 5*10^9 m.
+// Callers use one frame, the scenario's. Planners work in the frame of the world, whose origin lies
+// near the start. The reason: a double resolves only a micrometre at 5*10^9 m.
 
 #include <functional>
 #include <memory>
@@ -32,22 +32,24 @@ namespace replanning {
 class KnownGround;
 }
 
-/// How far the wheels are turned at the ends of a path; of account for `Steering::continuous`
-/// alone, as they may be turned at standstill otherwise.
+/// Curvatures to which the wheels are turned at the ends of a path. Only `Steering::continuous`
+/// holds paths to them: otherwise the wheels may turn at standstill. Drives begin with `start`.
 struct EndCurvatures {
-  double start = 0.0;  ///< [1/m]
-  double goal = 0.0;   ///< [1/m]
+  double start = 0.0;  ///< curvature at the start [1/m]
+  double goal = 0.0;   ///< curvature at the goal [1/m]
   bool operator==(const EndCurvatures&) const = default;
 };
 
-/// The angles between a vehicle and its trailer at the ends of a path; 0 without a trailer.
+/// Hitch angles at the ends of a path: heading of the vehicle less that of its trailer. 0 without
+/// one.
 struct EndHitchAngles {
-  double start = 0.0;  ///< heading of the vehicle - heading of its trailer [rad]
-  double goal = 0.0;   ///< [rad]
+  double start = 0.0;  ///< hitch angle at the start [rad]
+  double goal = 0.0;   ///< hitch angle at the goal [rad]
   bool operator==(const EndHitchAngles&) const = default;
 };
 
-/// A planning problem as somebody states it: unchecked, every number in one frame of his choice.
+/// A planning problem as somebody states it, unchecked. All numbers share one frame, the
+/// scenario's.
 struct Scenario {
   std::string name = {};
   std::string description = {};
@@ -57,57 +59,60 @@ struct Scenario {
   Pose goal = {};
   EndCurvatures curvatures = {};
   EndHitchAngles hitch_angles = {};
-  /// Where the path may end: in any of these regions. Empty: at `goal`. Otherwise no notice is
-  /// taken of `goal`, `curvatures.goal` and `hitch_angles.goal`.
+  /// Regions where the path may end. Empty: it ends at `goal`. Otherwise `goal`, `curvatures.goal`
+  /// and `hitch_angles.goal` are ignored.
   std::vector<GoalRegion> goal_set = {};
-  std::vector<Polygon> obstacles = {};
-  std::vector<Polygon> kerbs = {};          ///< low ones, that overhangs may swing over
-  std::vector<Polygon> inside = {};         ///< the whole body stays in one of them; none: anywhere
-  std::string map_file = {};                ///< where the map is from; empty without map
-  std::optional<OccupancyGrid> map = {};    ///< the occupancy map itself; none: there is no map
-  std::vector<MovingObstacle> moving = {};  ///< what else moves while the vehicle drives
+  std::vector<Polygon> obstacles = {};  ///< outlines that the footprint may not touch [m]
+  std::vector<Polygon> kerbs = {};      ///< outlines for the wheels alone [m]
+  /// The whole body stays in one of these areas; empty: anywhere.
+  std::vector<Polygon> inside = {};
+  std::string map_file = {};                ///< file of the map; empty without a map
+  std::optional<OccupancyGrid> map = {};    ///< the occupancy map; none: there is no map
+  std::vector<MovingObstacle> moving = {};  ///< moving obstacles
 };
 
-/// Ground and obstacles, without a vehicle: checked, immutable, shared between threads, vehicles
-/// and problems. What depends on a vehicle is made once for each vehicle, at its first problem.
+/// Ground and obstacles, without a vehicle. A world is checked, immutable, and shared between
+/// threads, vehicles and problems. What depends on a vehicle is made once, at the first problem of
+/// the vehicle.
 class World {
  public:
-  /// Takes surroundings in the scenario's frame; `near` is a place around which one plans, such as
-  /// a start: the world's origin is `near`, rounded to whole metres. Throws InputError naming the
-  /// key ("bounds.x", "obstacles[2]", "inside[1]", "map.resolution") when a number is not finite or
-  /// out of range, bounds are crossed, areas of `inside` touch each other, or a polygon has fewer
-  /// than three corners, no area, or crosses or touches itself. Repeated corners are dropped; a
-  /// polygon of one repeated corner stands for that point.
+  /// Makes a world of surroundings in the scenario's frame. `near` is a place around which one
+  /// plans, such as a start: the world's origin is `near`, rounded to whole metres.
+  ///
+  /// Throws InputError naming the key ("bounds.x", "obstacles[2]", "inside[1]", "map.resolution")
+  /// when a number is not finite or out of range, bounds are crossed, or areas of `inside` touch
+  /// each other. It also throws for a polygon with fewer than three corners or no area, or one that
+  /// crosses or touches itself. Repeated corners are dropped. A polygon of one repeated corner
+  /// stands for that point.
   World(const Surroundings& surroundings, const Point& near);
-  /// Another world with more obstacles, in the frame of that one, whose origin is 0 here. What was
-  /// made of the map is shared. Throws InputError naming "more[2]" as above.
+  /// Makes a world like `ground` with more obstacles, given in the frame of `ground`. The origin of
+  /// the new world is 0. It shares what was made of the map. Throws InputError naming "more[2]".
   World(const World& ground, const std::vector<Polygon>& more);
   ~World();
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  /// Where the origin of the world's frame lies in the scenario's frame [m]: whole metres. The axes
-  /// of both frames are parallel.
+  /// Origin of the world's frame in the scenario's frame [m]: whole metres. The axes are parallel.
   [[nodiscard]] const Point& origin() const noexcept { return origin_; }
 
-  /// The cleaned surroundings in the world's frame, which planners and the judge work in. The first
-  /// obstacles are the fences around the areas of `inside`; there are `fences()` of them.
+  /// The cleaned surroundings in the world's frame, as planners and judge use them. The first
+  /// `fences()` obstacles are the fences around the areas of `inside`.
   [[nodiscard]] const Surroundings& local() const noexcept { return local_; }
 
-  /// Number of sides of all areas that the body stays in; each has a fence outside of it, a
-  /// micrometre thick.
+  /// Number of fences: one outside each side of all areas of `inside`, a micrometre thick.
   [[nodiscard]] std::size_t fences() const noexcept;
-  /// `local()` without the fences: what another world like this one is made of.
+  /// Surroundings without the fences, in the world's frame: a world of the same kind is made of
+  /// them.
   [[nodiscard]] Surroundings without_fences() const;
 
-  /// The checker of a vehicle that keeps a margin, in the world's frame. Kept with the world,
-  /// unless the margin has ramps. Throws InputError naming "vehicle.width" or another key that is
-  /// wrong.
+  /// The checker of a vehicle that keeps a margin, in the world's frame. The world keeps it, unless
+  /// the margin has ramps. Throws InputError naming "margin", "vehicle.width" or another key that
+  /// is wrong.
   [[nodiscard]] std::shared_ptr<const CollisionChecker> checker(const Vehicle& vehicle,
                                                                 const Margin& margin = {}) const;
 
-  /// A value of that type that a part of the library keeps with the world: the one that `make`
-  /// returns at the first call, the same one ever after. From any thread.
+  /// A value of that type that a part of the library keeps with the world. The first call makes it
+  /// with `make`, later calls return that value. May be called from any thread.
   [[nodiscard]] std::shared_ptr<const void> kept(
       std::type_index type, const std::function<std::shared_ptr<const void>()>& make) const;
 
@@ -115,41 +120,41 @@ class World {
   Point origin_;
   Surroundings local_;
   friend class replanning::KnownGround;  // changes a world that nobody else has
-  /// Other obstacles, in the world's frame and cleaned, and other cells of the map in some ranges.
-  /// What was kept is forgotten.
+  // Other obstacles, in the world's frame and cleaned, and other cells of the map in some ranges.
+  // The values of `kept` are dropped.
   void change(std::vector<Polygon> obstacles, std::span<const CellRange> cells);
 
   std::shared_ptr<collision::Ground> ground_;
   std::unique_ptr<base::Derived> derived_;
 };
 
-/// What a planner is asked, in the frame of the world: poses beside the origin, headings in
-/// [-pi, pi). Everything that can be reached from here has this frame.
+/// A problem as planners see it, in the frame of the world: poses near the origin, headings in
+/// [-pi, pi). Everything in a task has this frame.
 struct Task {
   std::shared_ptr<const World> world;
-  std::shared_ptr<const CollisionChecker> checker;  ///< of the vehicle with its margin
+  std::shared_ptr<const CollisionChecker> checker;  ///< checker of the vehicle with its margin
   Vehicle vehicle;
-  double least_margin = 0.0;  ///< that the vehicle keeps from things wherever it is [m]
+  double least_margin = 0.0;  ///< margin that the vehicle keeps everywhere, on ramps too [m]
   LocalPose start;
-  LocalPose goal;  ///< of a set of goals some pose of the first region
+  LocalPose goal;  ///< the goal; with a set of goals a pose of its first region
   Steering steering = Steering::reeds_shepp;
   EndCurvatures curvatures = {};
   EndHitchAngles hitch_angles = {};
-  std::vector<GoalRegion> goal_set = {};    ///< where the path may end instead of at `goal`
-  std::vector<MovingObstacle> moving = {};  ///< what else moves; no part of `checker`
+  std::vector<GoalRegion> goal_set = {};    ///< regions where the path may end; empty: at `goal`
+  std::vector<MovingObstacle> moving = {};  ///< moving obstacles, which `checker` does not know
 };
 
-/// One vehicle, start and goal in a world: checked, immutable, cheap to copy.
+/// One vehicle, start and goal in a world. A problem is checked, immutable and cheap to copy.
 class Problem {
  public:
   [[nodiscard]] const std::shared_ptr<const World>& world() const noexcept { return task_.world; }
   [[nodiscard]] const Vehicle& vehicle() const noexcept { return task_.vehicle; }
-  /// The start and the goal in the scenario's frame, as they were given.
+  /// Start and goal in the scenario's frame, as they were given.
   [[nodiscard]] const Pose& start() const noexcept { return start_; }
   [[nodiscard]] const Pose& goal() const noexcept { return goal_; }
 
-  /// The set of goals in the scenario's frame, as it was given; empty if `goal` is the only one.
-  /// Otherwise `goal` is some pose of its first region.
+  /// The set of goals in the scenario's frame, as it was given. Empty: `goal` is the only goal.
+  /// Otherwise `goal` is some pose of the set's first region.
   [[nodiscard]] const std::vector<GoalRegion>& goal_set() const noexcept { return goal_set_; }
 
   [[nodiscard]] const EndCurvatures& curvatures() const noexcept { return task_.curvatures; }
@@ -175,63 +180,70 @@ class Problem {
 /// Checks a scenario without building its world. Throws InputError naming the key that is wrong.
 void check_scenario(const Scenario& scenario);
 
-/// Checks a vehicle alone; errors name "vehicle.width" or another key.
+/// Checks a vehicle alone. Throws InputError naming "vehicle.width" or another key.
 void check_vehicle(const Vehicle& vehicle);
 
-/// Checks two poses alone; errors name "start" or "goal". A goal is at most 100 km from its start.
+/// Checks two poses alone. Throws InputError naming "start.x", "goal" or another key that is wrong.
+/// A goal is at most 100 km from its start.
 void check_poses(const Pose& start, const Pose& goal);
 
-/// Checks a map alone; errors name "map.resolution", "map.origin" or "map".
+/// Checks a map alone. Throws InputError naming "map.resolution", "map.origin" or "map".
 void check_map(const OccupancyGrid& map);
 
-/// What of a scenario makes its world.
+/// Bounds, obstacles, kerbs, map and `inside` areas of a scenario, in its frame.
 [[nodiscard]] Surroundings surroundings(const Scenario& scenario);
 
-/// The problem of a scenario, in a world of its own. A start or goal in collision or outside the
-/// bounds is no error: `plan` names it. Throws InputError naming the key that is wrong.
+/// The problem of a scenario, in a world of its own. Throws InputError naming the key that is
+/// wrong. A start or goal in collision or outside the bounds is no error: `plan` reports it as a
+/// status.
 [[nodiscard]] Problem make_problem(const Scenario& scenario);
 
-/// One more problem in a world that is there: nothing of it is built again, so thousands of
-/// problems may share it, on as many threads as one likes. The poses are in the scenario's frame.
-/// Throws InputError naming "vehicle", "start" or "goal" when they are out of range,
-/// "start.curvature" or "goal.curvature" when the vehicle cannot turn so sharply,
-/// "start.hitch_angles" or "goal.hitch_angles" when its trailer may not stand so.
+/// A problem in a world that exists, with poses in the scenario's frame. Nothing of the world is
+/// built again, so thousands of problems may share it, on any number of threads. Throws InputError
+/// naming:
+///
+/// - "world" if it is null, "vehicle.width", "start.x" or "goal" if a number is out of range,
+/// - "start.curvature" or "goal.curvature" if the vehicle cannot turn so sharply,
+/// - "start.hitch_angles" or "goal.hitch_angles" if its trailer may not stand so.
 [[nodiscard]] Problem make_problem(std::shared_ptr<const World> world, const Vehicle& vehicle,
                                    const Pose& start, const Pose& goal,
                                    const EndCurvatures& curvatures = {},
                                    const EndHitchAngles& hitch_angles = {});
 
-/// The problem among what moves, in the scenario's frame, instead of what moved in it before.
-/// Throws InputError naming "moving[2].outline" or another key.
+/// The problem with these moving obstacles in place of its own, in the scenario's frame. Throws
+/// InputError naming "moving[2].outline" or another key.
 [[nodiscard]] Problem with_moving(Problem problem, std::span<const MovingObstacle> moving);
 
-/// The problem from and to somewhere else, with straight wheels: same world, same vehicle, and the
-/// same things move. Throws InputError naming "start" or "goal" when they are out of range.
+/// The problem with another start and goal in the scenario's frame, and straight wheels and trailer
+/// at both. It has no set of goals. Throws InputError naming "start.x", "goal" or another key.
 [[nodiscard]] Problem with_poses(const Problem& problem, const Pose& start, const Pose& goal);
 
-/// The problem with a set of goals, in the scenario's frame, instead of what its goal was. Throws
+/// The problem with this set of goals in place of its goal, in the scenario's frame. Throws
 /// InputError naming "goal.x", "goal.area", "goal.any_of[2].heading" or another key when a number
 /// is out of range, an interval is crossed, or there is no region.
 [[nodiscard]] Problem with_goal_set(const Problem& problem, const std::vector<GoalRegion>& set);
 
-/// The problem as planners see it when the vehicle keeps its distance and steers like this.
+/// The problem as planners see it, with this margin and steering. Throws InputError naming "margin"
+/// or "margin_ramp" when it is out of range.
 [[nodiscard]] Task task_of(const Problem& problem, const ClearanceOptions& options,
                            Steering steering = Steering::reeds_shepp);
 
-/// A pose of the scenario's frame in the world's frame, heading in [-pi, pi); and back. A scenario
-/// moved by whole metres has the same poses in its world, bit for bit, as long as its coordinates
-/// have at most 15 digits.
+/// A pose of the scenario's frame in the world's frame; heading in [-pi, pi). A scenario moved by
+/// whole metres has equal poses in its world, bit for bit, if its coordinates have at most 15
+/// digits.
 [[nodiscard]] LocalPose to_local(const World& world, const Pose& pose) noexcept;
+/// A pose of the world's frame in the scenario's frame. The heading stays.
 [[nodiscard]] Pose to_scenario(const World& world, const LocalPose& pose) noexcept;
-LocalPose to_local(const World& world, const LocalPose& pose) = delete;  ///< it is local already
+/// A local pose is local already.
+LocalPose to_local(const World& world, const LocalPose& pose) = delete;
 
-/// Where samples are drawn; driving is allowed in the bounds either way.
+/// Region where planners draw samples. Driving is allowed everywhere in the bounds.
 enum class Region {
   bounds,  ///< the bounds of the scenario
-  scene,   ///< bounding box of start, goal, obstacles and map plus 20 m, cut to the bounds
+  scene,   ///< box around start, goal, obstacles, kerbs and map plus 20 m, cut to the bounds
 };
 
-/// The region of a task, in the world's frame.
+/// The region of a task, in the world's frame [m].
 [[nodiscard]] Local<Bounds> sampling_region(const Task& task, Region region) noexcept;
 
 }  // namespace vandplan

@@ -3,8 +3,8 @@
 #pragma once
 // What does a trailer do when its tractor drives?
 //
-// Formulas: docs/algorithms/trailers.md. Every vehicle that is passed here has a trailer, where
-// nothing else is said.
+// Formulas: docs/algorithms/trailers.md. Every vehicle that is passed here has a trailer, unless
+// the docstring of a function says otherwise.
 
 #include <vector>
 
@@ -13,41 +13,51 @@
 
 namespace vandplan {
 
-/// Where a tractor with a trailer is: the pose of the tractor and the angle between both.
+/// State of a tractor with a trailer: the pose of the tractor and the hitch angle.
 struct RigState {
-  Pose pose = {};            ///< of the tractor, at the midpoint of its rear axle
+  Pose pose = {};            ///< pose of the tractor, at the midpoint of its rear axle
   double hitch_angle = 0.0;  ///< heading of the tractor - heading of the trailer [rad]
   bool operator==(const RigState&) const = default;
 };
 
-/// Where the midpoint of the trailer's axle is and where the trailer points; heading in [-pi, pi).
-/// Throws InputError without a trailer, as all functions here do that do not say otherwise.
+/// Pose of the trailer at the midpoint of its axle, in the frame of `state.pose`; heading in
+/// [-pi, pi). Throws InputError naming "vehicle.trailers" if there is no trailer, as
+/// `tractor_pose`, `hitch_rate` and `largest_hitch_angle` do.
 [[nodiscard]] Pose trailer_pose(const Vehicle& vehicle, const RigState& state);
 
-/// Where the tractor is when its trailer is there; heading in [-pi, pi).
+/// Pose of the tractor when the midpoint of its trailer's axle is at `trailer`, in the frame of
+/// `trailer`; heading in [-pi, pi). `hitch_angle` is the tractor's heading less the trailer's
+/// [rad].
 [[nodiscard]] Pose tractor_pose(const Vehicle& vehicle, const Pose& trailer, double hitch_angle);
 
-/// Change of the hitch angle per metre driven forward with that curvature [rad/m].
+/// Change of the hitch angle per metre driven forward [rad/m]. `hitch_angle` is in rad, `curvature`
+/// is that of the tractor's path [1/m].
 [[nodiscard]] double hitch_rate(const Vehicle& vehicle, double hitch_angle, double curvature);
 
-/// The hitch angle after a tractor has driven the segment [rad]: exact but for rounding along arcs
-/// and lines, within 1e-11 along clothoids of vehicles. Not wrapped: it goes on beyond pi where the
-/// trailer turns round its hitch. An equilibrium stays exactly. Without a trailer the angle stays.
+/// Hitch angle after a tractor has driven the segment [rad]. It is exact but for rounding along
+/// arcs and lines, and within 1e-11 along clothoids of vehicles. An equilibrium stays exactly.
+///
+/// The angle is not wrapped: it goes on beyond pi where the trailer turns round its hitch. Without
+/// a trailer the angle stays as it was.
 [[nodiscard]] double hitch_angle_after(const Vehicle& vehicle, double hitch_angle,
                                        const Segment& segment) noexcept;
 
-/// The state after driving the segment; the hitch angle is in [-pi, pi) and stays without a
-/// trailer.
+/// State after driving the segment, in the frame of `state`. The hitch angle is in [-pi, pi).
+/// Without a trailer it keeps its value.
 [[nodiscard]] RigState advance(const Vehicle& vehicle, const RigState& state,
                                const Segment& segment) noexcept;
 
-/// The hitch angles at the points that `sampled` gives for the path and that step [rad]. Without a
-/// trailer the angle stays.
+/// Hitch angles [rad] at the points that `sampled(path, step)` gives, one for each point.
+/// `start_angle` is the hitch angle at the start of the path [rad], `step` the largest distance of
+/// points [m]. Without a trailer all are `start_angle`. Throws InputError naming "segments[3]" for
+/// a segment that is not finite, or "step" unless it is > 0 and at least a 10^7th of the path's
+/// length.
 [[nodiscard]] std::vector<double> sampled_hitch_angles(const Vehicle& vehicle, const Path& path,
                                                        double start_angle, double step);
 
-/// The largest |hitch angle| anywhere on the segment, both ends included [rad]. Along arcs and
-/// lines it is that of an end: the angle moves towards or away from one equilibrium.
+/// Largest absolute hitch angle on the segment, both ends included [rad]. `hitch_angle` is that at
+/// its begin. Along arcs and lines the largest one is at an end: the angle moves towards or away
+/// from one equilibrium.
 [[nodiscard]] double largest_hitch_angle(const Vehicle& vehicle, double hitch_angle,
                                          const Segment& segment);
 

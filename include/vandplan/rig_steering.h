@@ -3,8 +3,8 @@
 #pragma once
 // Which short path leads a tractor with a trailer from one state to another?
 //
-// Words of arcs and lines of the tractor that end with the wanted hitch angle, too. Method and
-// what is optimal: docs/algorithms/rig_steering.md.
+// The paths are words of arcs and lines of the tractor that also end with the wanted hitch angle.
+// Method and what is optimal: docs/algorithms/rig_steering.md.
 
 #include <array>
 #include <limits>
@@ -18,53 +18,68 @@
 
 namespace vandplan {
 
-/// What the metres and gear changes of a path of a rig cost, and which paths are of interest.
+/// Prices of metres and gear changes of a rig's path, and the cost up to which paths are of
+/// interest.
 struct RigPrices {
-  double reverse_weight = 1.0;    ///< of a metre in reverse; a forward one costs 1; > 0, finite
-  double gear_change_cost = 0.0;  ///< of each change inside the path; >= 0, finite [m]
-  double cutoff = std::numeric_limits<double>::infinity();  ///< dearer paths are of no use [m]
+  double reverse_weight = 1.0;    ///< cost of a metre in reverse; forward it is 1; > 0, finite
+  double gear_change_cost = 0.0;  ///< cost of each gear change inside the path [m]; >= 0, finite
+  /// Cost above which paths are of no use [m].
+  double cutoff = std::numeric_limits<double>::infinity();
 };
 
-/// The price of segments that are driven one after the other [m].
+/// Cost of segments that are driven one after the other [m].
 [[nodiscard]] double price_of(const RigPrices& prices, std::span<const Segment> segments) noexcept;
 
-/// Short paths of a rig on open ground in either gear, with |curvature| <= 1/min_turning_radius and
-/// |hitch angle| <= max_hitch_angle everywhere. Segments are arcs and lines of the tractor, which
-/// end within 1e-9 m and rad of the goal. No path is shorter than `reeds_shepp_length` between the
-/// poses of the tractor. Mirrored states have the mirrored path. The path from b to a is that from
-/// a to b driven backwards, unless one of them has a stretch in reverse so long that rounding would
-/// bend the rig: such paths are not given. A small value: make it once, call it often, from any
-/// thread.
+/// Short paths of a rig on open ground in either gear. Everywhere |curvature| is at most
+/// 1/min_turning_radius, and |hitch angle| at most max_hitch_angle. Segments are arcs and lines of
+/// the tractor, which end within 1e-9 m and rad of the goal. No path is shorter than
+/// `reeds_shepp_length` between the poses of the tractor. Mirrored states have the mirrored path.
+///
+/// The path from b to a is the path from a to b driven backwards, with one exception. A path is not
+/// given if it has so long a stretch in reverse that rounding would bend the rig. Both states of a
+/// call share one frame. A small value: make it once, call it often, from any thread.
 class RigSteering {
  public:
-  /// Throws InputError if there is no trailer, a length is not finite and positive, the hitch is as
-  /// far from the rear axle as the axle of the trailer from the hitch or farther, or
-  /// `max_hitch_angle` is not in [0.05, 3] rad.
+  /// Makes the steering of a vehicle with a trailer. Throws InputError naming:
+  ///
+  /// - "trailers" if there is no trailer,
+  /// - "min_turning_radius" or "trailers wheelbase" if it is not finite and positive,
+  /// - "hitch" if the hitch is as far from the rear axle as the trailer's axle from the hitch, or
+  ///   farther,
+  /// - "max_hitch_angle" if it is not in [0.05, 3] rad.
   explicit RigSteering(const Vehicle& vehicle);
 
-  /// The least path that the search finds; equal states give one without segments. Throws
-  /// InputError if a number is not finite or a hitch angle is beyond the limit.
+  /// The shortest path that the search finds, or none if it finds none. Equal states give a path
+  /// without segments. Throws InputError naming "from" or "to" if a number is not finite or the
+  /// hitch angle is beyond the limit.
   [[nodiscard]] std::optional<Piece> steer(const RigState& from, const RigState& to) const;
 
-  /// The path with the least price that the search finds, or nothing if that is above the cutoff.
-  /// Throws InputError if a number is not finite or out of its range.
+  /// The path of least cost that the search finds; none if that is above the cutoff. Throws
+  /// InputError naming "from", "to", "reverse_weight", "gear_change_cost" or "cutoff" if a number
+  /// is out of range.
   [[nodiscard]] std::optional<Piece> steer(const RigState& from, const RigState& to,
                                            const RigPrices& prices) const;
 
-  /// The least path of the few words that are most useful between such states, or nothing where
-  /// none of them leads there: for whoever asks often and throws most paths away. Throws as above.
+  /// The shortest path of the few words that are most useful between such states; none if none of
+  /// these words leads there. It is for callers who ask often and drop most paths. Throws
+  /// InputError naming "from" or "to" if a number is not finite or the hitch angle is beyond the
+  /// limit.
   [[nodiscard]] std::optional<Piece> steer_quickly(const RigState& from, const RigState& to) const;
 
-  /// Every path that the search finds up to the cutoff, the cheapest first.
+  /// All paths that the search finds up to the cutoff, the cheapest first. Throws InputError as
+  /// `steer` with prices does.
   [[nodiscard]] std::vector<Piece> candidates(const RigState& from, const RigState& to,
                                               const RigPrices& prices) const;
 
+  /// The turning radius of the tractor [m].
   [[nodiscard]] double radius() const noexcept { return radius_; }
+  /// The largest absolute hitch angle [rad].
   [[nodiscard]] double max_hitch_angle() const noexcept { return max_hitch_angle_; }
 
  private:
   double radius_;
   double max_hitch_angle_;
+  // Wheelbase of the trailer and x of the hitch [turning radii], tan(largest angle / 2).
   std::array<double, 3>
       shape_;  ///< wheelbase of the trailer, hitch [radii], tan(largest angle / 2)
 };

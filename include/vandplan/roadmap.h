@@ -25,61 +25,62 @@ namespace search {
 class Milestones;
 }
 
-/// Which roadmap is wanted.
+/// Size and range of a roadmap.
 struct RoadmapOptions {
-  std::int64_t nodes = 10'000;  ///< free poses; [1, 1000000]
-  int neighbours = 12;          ///< older ones that each is joined to; [1, 100]
-  std::uint64_t seed = 1;       ///< of the random poses
-  double margin = 0.0;          ///< that the vehicle keeps from things [m]; >= 0
-  /// Where poses are drawn, in the frame of the world [m]; none: the bounds of the world.
+  std::int64_t nodes = 10'000;  ///< number of free poses; [1, 1000000]
+  int neighbours = 12;          ///< number of older poses that each is joined to; [1, 100]
+  std::uint64_t seed = 1;       ///< seed of the random poses
+  double margin = 0.0;          ///< distance that the vehicle keeps from obstacles [m]; [0, 1000]
+  /// Region of the poses, in the frame of the world [m]. None: the bounds of the world.
   std::optional<Local<Bounds>> region = {};
 };
 
-/// The way that a roadmap knows between two poses.
+/// The route of a roadmap between two poses, in the frame of the world.
 struct RoadmapRoute {
-  double length = 0.0;                 ///< [m]
-  std::vector<LocalPose> poses = {};   ///< from the first to the last, on the way the nodes
-  std::vector<Segment> segments = {};  ///< neighbouring ones are joined
+  double length = 0.0;                 ///< length of the route [m]
+  std::vector<LocalPose> poses = {};   ///< first pose, nodes on the way, last pose
+  std::vector<Segment> segments = {};  ///< segments of the route, merged
 };
 
-/// How a roadmap is asked.
+/// Options of one query.
 struct RouteOptions {
-  /// Guides the search to the goal. With an admissible one the route is the shortest one in the
-  /// roadmap; none: the exact length on open ground.
+  /// Estimated length to the goal, which guides the search [m]. With an admissible one the route is
+  /// the shortest in the roadmap. None: the exact length on open ground.
   std::function<double(const LocalPose&)> estimate = {};
-  /// The search ends without a route soon after this returns true; none: it goes on.
+  /// The search ends without a route soon after this returns true. None: it is not interrupted.
   std::function<bool()> is_interrupted = {};
-  bool keep_tree = false;  ///< return the poses as they were searched
+  bool keep_tree = false;  ///< whether the answer holds the search tree
 };
 
-/// What a roadmap answers.
+/// Answer of a roadmap to one query.
 struct RoadmapAnswer {
-  std::optional<RoadmapRoute> route = {};  ///< none: the roadmap knows none
-  std::int64_t expansions = 0;             ///< poses whose neighbours were looked at
-  std::optional<TreeSnapshot> tree = {};   ///< these poses in their order, when asked for
+  std::optional<RoadmapRoute> route = {};  ///< the route; none: the roadmap has none
+  std::int64_t expansions = 0;             ///< number of poses that the search reached
+  /// Reached poses in their order, if asked for; in the frame of the world.
+  std::optional<TreeSnapshot> tree = {};
 };
 
-/// Free poses, and which of them are near to which. All poses are in the frame of the world: see
-/// `to_local`. Whether an edge is free is found out when a route wants it, and remembered. An
-/// answer depends on nothing else than on the roadmap and the query: not on what was asked before.
-/// May be asked from several threads at once.
+/// Free poses, and which of them are near each other. All poses are in the frame of the world: see
+/// `to_local`. An edge is checked when a route needs it, and the result is remembered. An answer
+/// depends only on the roadmap and the query, not on earlier queries. May be asked from several
+/// threads at once.
 class Roadmap {
  public:
-  /// The milestones as they are now, ready to be asked. What `earlier`, a roadmap of fewer of them,
-  /// remembers of its edges is taken over.
+  /// The milestones as they are now, ready for queries. `earlier` is a roadmap of fewer of these
+  /// milestones, whose checked edges are taken over; or null.
   explicit Roadmap(const search::Milestones& milestones, const Roadmap* earlier = nullptr);
   ~Roadmap();
   Roadmap(Roadmap&& other) noexcept;
   Roadmap& operator=(Roadmap&& other) noexcept;
 
-  /// The way from pose to pose, both of them free.
+  /// The route from pose to pose, both of them free.
   [[nodiscard]] RoadmapAnswer route(const LocalPose& from, const LocalPose& to,
                                     const RouteOptions& options = {}) const;
 
-  /// Finds out about every edge now instead of when a route wants it.
+  /// Checks every edge now instead of when a route needs it.
   void check_edges() const;
 
-  /// How many poses there are, how many edges, and how many poses were drawn to find them.
+  /// Number of poses, of edges, and of poses that were drawn to find the free ones.
   [[nodiscard]] std::int64_t nodes() const noexcept;
   [[nodiscard]] std::int64_t edges() const noexcept;
   [[nodiscard]] std::int64_t samples() const noexcept;
@@ -89,8 +90,9 @@ class Roadmap {
   std::unique_ptr<const Data> data_;
 };
 
-/// Draws poses until there are enough free ones. Throws InputError naming the option that is out of
-/// range, and if of a million poses, one after the other, none is free.
+/// Builds a roadmap: draws poses until there are enough free ones. Throws InputError naming
+/// "nodes", "neighbours" or "margin" if it is out of range, or a key of the vehicle. It names
+/// "region" if a million poses in a row are not free.
 [[nodiscard]] Roadmap build_roadmap(const World& world, const Vehicle& vehicle,
                                     const RoadmapOptions& options = {});
 

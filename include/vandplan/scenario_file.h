@@ -19,23 +19,26 @@ namespace vandplan {
 
 /// One goal of a row, with obstacles that exist for this goal only.
 struct RowGoal {
-  double distance = 0.0;  ///< how far this goal counts [m]
-  Pose goal = {};
-  std::vector<Polygon> obstacles = {};
-  double curvature = 0.0;    ///< `EndCurvatures::goal` of this goal [1/m]
-  double hitch_angle = 0.0;  ///< `EndHitchAngles::goal` of this goal [rad]
+  double distance = 0.0;                ///< distance that this goal counts [m]
+  Pose goal = {};                       ///< pose of the goal
+  std::vector<Polygon> obstacles = {};  ///< obstacles for this goal only [m]
+  double curvature = 0.0;               ///< `EndCurvatures::goal` of this goal [1/m]
+  double hitch_angle = 0.0;             ///< `EndHitchAngles::goal` of this goal [rad]
 };
 
-/// What a scenario file says: one problem (`goal:`), or a row of problems that differ in their
-/// goals (`goals:`), of which the furthest one reached counts.
+/// Content of a scenario file: one problem (`goal:`), or a row of problems that differ in their
+/// goals (`goals:`). The furthest goal of a row that is reached counts.
 struct ScenarioFile {
-  Scenario scenario = {};         ///< of a row what its problems share; its goal is the first one
-  std::vector<RowGoal> row = {};  ///< empty for `goal:`
-  /// What the file wants of every planner that honours it, `set_honoured`: no option of the budget.
+  /// The scenario. For a row it is what its problems share, with the first goal as its goal.
+  Scenario scenario = {};
+  std::vector<RowGoal> row = {};  ///< goals of the row; empty for `goal:`
+  /// Options that the file wants of every planner that honours them (`set_honoured`), none of the
+  /// budget.
   std::vector<Setting> options = {};
-  /// What deserves a look though nothing is wrong, "file:line: key: what".
+  /// Doubtful values that are not wrong: "file:line: key: what".
   std::vector<std::string> warnings = {};
 
+  /// Whether the file states a row of goals.
   [[nodiscard]] bool is_row() const noexcept { return !row.empty(); }
   /// Number of problems.
   [[nodiscard]] std::size_t size() const noexcept { return is_row() ? row.size() : 1; }
@@ -44,76 +47,91 @@ struct ScenarioFile {
 /// A scenario file and the checked problems that it states.
 struct ScenarioProblems {
   ScenarioFile file;
-  std::vector<Problem> problems;  ///< those without obstacles of their own share one world
+  std::vector<Problem> problems;  ///< the problems; those without own obstacles share one world
 };
 
-/// Problem number `i` of a file, with all of its obstacles. `i` < size().
+/// Problem number `i` of a file, with all of its obstacles. Throws InputError naming "goals" unless
+/// i < size().
 [[nodiscard]] Scenario scenario_at(const ScenarioFile& file, std::size_t i);
 
 /// The problems of a file. Throws InputError naming the key that is wrong
 /// ("goals[3].obstacles[0]").
 [[nodiscard]] std::vector<Problem> make_problems(const ScenarioFile& file);
 
-/// Reads and checks a scenario file (YAML) with one goal. "-" is standard input.
+/// Reads and checks a scenario file (YAML) with one goal. "-" is standard input. Throws InputError
+/// "file:line: what is wrong", also for a row of goals.
 [[nodiscard]] Scenario read_scenario(const std::string& file);
 
 /// Reads and checks a scenario file (YAML) with one goal or a row of goals. "-" is standard input.
+/// Throws InputError "file:line: what is wrong".
 [[nodiscard]] ScenarioFile read_scenario_file(const std::string& file);
 
-/// Reads a scenario file and makes its problems: everything is checked once.
+/// Reads a scenario file and makes its problems; everything is checked once. "-" is standard input.
+/// Throws InputError "file:line: what is wrong".
 [[nodiscard]] ScenarioProblems read_problems(const std::string& file);
 
-/// Reads and checks the text of a scenario file; `where` stands for the file in errors, and the map
-/// is looked for beside it unless it is here.
+/// Reads and checks the text of a scenario file. `where` stands for the file in errors. The map is
+/// read from beside that file unless `map` is given.
 [[nodiscard]] ScenarioFile scenario_from_yaml(const std::string& text, const std::string& where,
                                               const std::optional<OccupancyGrid>& map = {});
 
-/// A scenario file's text that `read_scenario_file` reads back exactly; the map stays in its own.
+/// Text of a scenario file that `read_scenario_file` reads back exactly. The map stays in its own
+/// file.
 [[nodiscard]] std::string to_yaml(const ScenarioFile& file);
+/// Text of a scenario file with one goal that `read_scenario` reads back exactly.
 [[nodiscard]] std::string to_yaml(const Scenario& scenario);
 
-/// Reads a map of ROS' map_server: its YAML file and the image that it names.
+/// Reads a map of ROS' map_server: its YAML file and the image that it names. Throws InputError
+/// "file:line: what is wrong".
 [[nodiscard]] OccupancyGrid read_map(const std::string& file);
 
-/// Whether a YAML file is a map, that is, names an image; scenarios do not.
+/// Whether a YAML file is a map, that is, names an image; scenarios do not. Throws InputError
+/// "file:line: what is wrong" for other text than YAML.
 [[nodiscard]] bool is_map(const std::string& file);
 
-/// A map as an image (PGM) and as the YAML file that names the image; `read_map` reads them back.
+/// A map as the bytes of an image (PGM). Throws InputError naming "map" or another key if
+/// `check_map` refuses the map.
 [[nodiscard]] std::string map_to_pgm(const OccupancyGrid& grid);
+/// A map as the YAML text that names the image file `image`. `read_map` reads text and image back.
 [[nodiscard]] std::string map_to_yaml(const OccupancyGrid& grid, const std::string& image);
 
-/// A vehicle of the catalogue, "city-bus". Throws InputError if there is none of that name.
+/// The vehicle of the catalogue with that name, such as "city-bus". Throws InputError naming
+/// "vehicle" if there is none.
 [[nodiscard]] Vehicle vehicle_named(std::string_view name);
+/// Names of all vehicles of the catalogue.
 [[nodiscard]] std::vector<std::string> vehicle_names();
 
-/// Reads and checks a vehicle file (YAML): what stands below `vehicle:` of a scenario.
+/// Reads and checks a vehicle file (YAML), which holds the keys below `vehicle:` of a scenario. "-"
+/// is standard input. Throws InputError "file:line: what is wrong".
 [[nodiscard]] Vehicle read_vehicle(const std::string& file);
 
-/// The text of a vehicle file that `read_vehicle` reads back exactly, one line.
+/// Text of a vehicle file that `read_vehicle` reads back exactly, one line.
 [[nodiscard]] std::string to_yaml(const Vehicle& vehicle);
 
-/// The footprint of a robot of Nav2, and what it does not say.
+/// The footprint of a robot of Nav2, and what its file does not say.
 struct FootprintFile {
-  std::string file;                 ///< a list of corners, or parameters of Nav2 (YAML)
-  double wheelbase = 0.0;           ///< rear axle to front axle [m]
-  double min_turning_radius = 0.0;  ///< of the rear-axle midpoint [m]
+  std::string file;        ///< file with a list of corners, or with parameters of Nav2 (YAML)
+  double wheelbase = 0.0;  ///< rear axle to front axle [m]
+  double min_turning_radius = 0.0;  ///< turning radius of the rear-axle midpoint [m]
   double rear_axle = 0.0;           ///< x of the rear axle in the frame of the footprint [m]
-  bool rectangle = false;           ///< put a rectangle around any footprint
+  bool rectangle = false;           ///< whether any footprint gets a rectangle around it
 };
 
-/// A vehicle with a convex footprint as its outline, or whose rectangle holds a footprint.
+/// A vehicle whose outline is a convex footprint, or whose rectangle holds a footprint.
 struct FootprintVehicle {
   Vehicle vehicle;
-  double footprint_area = 0.0;  ///< [m^2]
-  double added_area = 0.0;      ///< of the body beside the footprint [m^2]
-  double added_width = 0.0;     ///< as the rectangle reaches equally far to both sides [m]
+  double footprint_area = 0.0;  ///< area of the footprint [m^2]
+  double added_area = 0.0;      ///< area of the body beyond the footprint [m^2]
+  /// Width that is added because the rectangle reaches equally far to both sides [m].
+  double added_width = 0.0;
 };
 
-/// Reads the corners of a footprint, x ahead and y to the left, and makes a vehicle of them.
-/// Throws InputError if there is none, there are several, or an axle is outside of it.
+/// Reads the corners of a footprint, x ahead and y to the left, and makes a vehicle of them. Throws
+/// InputError naming the file if there is no footprint, there are several, or an axle is outside of
+/// it.
 [[nodiscard]] FootprintVehicle read_footprint(const FootprintFile& footprint);
 
-/// Where a path begins and ends, in the scenario's frame.
+/// Start and goal of a path, in the scenario's frame.
 struct PosePair {
   Pose start;
   Pose goal;
@@ -122,30 +140,34 @@ struct PosePair {
 /// Many starts and goals.
 struct PosePairs {
   std::vector<PosePair> pairs;
-  /// What deserves a look though nothing is wrong, "file:line: what".
+  /// Doubtful values that are not wrong: "file:line: what".
   std::vector<std::string> warnings;
 };
 
-/// Reads a list of starts and goals (CSV). "-" is standard input.
+/// Reads a list of starts and goals (CSV). "-" is standard input. Throws InputError "file:line:
+/// what is wrong".
 [[nodiscard]] PosePairs read_pose_pairs(const std::string& file);
 
-/// Reads a case of the Trajectory Planning Competition for Automated Parking 2022 (CSV).
+/// Reads a case of the Trajectory Planning Competition for Automated Parking 2022 (CSV). Throws
+/// InputError "file:line: what is wrong".
 [[nodiscard]] Scenario read_tpcap(const std::string& file);
 
 /// One of the problems on a MovingAI map.
 struct MovingAiProblem {
-  std::string map;                    ///< file (.map)
-  std::string problems;               ///< file (.scen)
-  int number = 1;                     ///< of the problem in its file; >= 1
+  std::string map;                    ///< name of the map's file (.map)
+  std::string problems;               ///< name of the file of problems (.scen)
+  int number = 1;                     ///< number of the problem in its file; >= 1
   double resolution = 1.0;            ///< side of a cell [m]; > 0
-  std::string vehicle = "tpcap-car";  ///< of the catalogue
+  std::string vehicle = "tpcap-car";  ///< vehicle of the catalogue
 };
 
-/// Reads a MovingAI problem; the scenario has a map, but `map_file` is still to be named.
+/// Reads a MovingAI problem. The scenario has a map, but its `map_file` is empty. Throws InputError
+/// "file:line: what is wrong", or naming "resolution", "number" or "vehicle".
 [[nodiscard]] Scenario read_movingai(const MovingAiProblem& problem);
 
-/// Reads a problem in the manner of dynobench (YAML): one car among boxes. Where its states have a
-/// trailer and the vehicle has none, dynobench's own `car1_v0` drives.
+/// Reads a problem in the manner of dynobench (YAML): one car among boxes. `vehicle` is one of the
+/// catalogue. If the file's states have a trailer and the vehicle has none, dynobench's own
+/// `car1_v0` drives. Throws InputError "file:line: what is wrong", or naming "vehicle".
 [[nodiscard]] Scenario read_dynobench(const std::string& file, const std::string& vehicle);
 
 }  // namespace vandplan

@@ -3,8 +3,8 @@
 #pragma once
 // What does a planner build on?
 //
-// Budget, costs, connections between poses, trees: what the planners of the library are made of,
-// for those who write their own (docs/own-planner.md). All poses are in the frame of the task.
+// Budget, costs, connections between poses, trees: the planners of the library are made of these,
+// and so can yours (docs/own-planner.md). All poses are in the frame of the task.
 
 #include <chrono>
 #include <cstdint>
@@ -26,28 +26,28 @@ namespace vandplan::search {
 
 // ---- How long may it go on? ----
 
-/// Counts the iterations and the time of one run: the one place of the core that looks at a clock.
-/// A run begins when its budget is made.
+/// Counts the iterations and the time of one run, which begins when its budget is made. In the core
+/// only `Budget` and `PhaseTimer` read clocks.
 class Budget {
  public:
   explicit Budget(const BudgetOptions& options);
 
-  /// Begins the next iteration. False when there is none: `reason` says why.
+  /// Begins the next iteration. False when the budget is spent: `reason` says why.
   [[nodiscard]] bool next();
-  /// Why there is no next iteration; none if there is one.
+  /// Why the budget is spent; none if it is not.
   [[nodiscard]] std::optional<PlanStatus> exhausted() const;
-  /// How many of the `wanted` iterations there are when `promised` ones are taken first.
+  /// How many of `wanted` iterations are left when `promised` ones are taken first.
   [[nodiscard]] std::int64_t left(std::int64_t wanted, std::int64_t promised) const;
-  /// Counts iterations that were done.
+  /// Counts iterations that are done.
   void spend(std::int64_t iterations) { iterations_ += iterations; }
-  /// Out of time or told to stop; may be asked from several threads.
+  /// Whether time is over or the caller stopped the run. May be asked from several threads.
   [[nodiscard]] bool is_interrupted() const;
   [[nodiscard]] std::int64_t iterations() const noexcept { return iterations_; }
   /// Time since the run began [s].
   [[nodiscard]] double elapsed() const;
   /// Time from the begin of the run to its first iteration [s]; 0 before that.
   [[nodiscard]] double set_up_time() const noexcept { return set_up_time_; }
-  /// Why `next` said no.
+  /// Why `next` returned false.
   [[nodiscard]] PlanStatus reason() const noexcept { return reason_; }
 
  private:
@@ -59,13 +59,13 @@ class Budget {
   bool by_processor_;
   std::chrono::steady_clock::time_point begin_;
   std::chrono::nanoseconds processor_begin_;
-  mutable double due_;  // before that much wall time the limit need not be looked at [s]
+  mutable double due_;  // wall time before which the limit need not be checked [s]
   double set_up_time_ = 0.0;
   std::int64_t iterations_ = 0;
   PlanStatus reason_ = PlanStatus::stopped;
 };
 
-/// Adds up the time spent in one phase of a run; costs next to nothing unless switched on.
+/// Sums the time spent in one phase of a run. It costs next to nothing unless switched on.
 class PhaseTimer {
  public:
   explicit PhaseTimer(bool on) : on_(on) {}
@@ -89,25 +89,27 @@ class PhaseTimer {
 /// Direction of travel: 1 forward, -1 reverse, 0 not driven yet.
 using GearSign = int;
 
-/// Prices of driving: metres, weighted by gear, a price for each gear change, and one for turning
-/// the wheels; charged alike inside a piece, at the joint of two pieces and (gears) at the start.
-/// Neutral values make the cost the length. A gear that may not be driven has an infinite weight.
-/// docs/algorithms/anytime.md says what is optimal under it.
+/// Prices of driving: metres, weighted by gear, gear changes, and turning the wheels. They are
+/// charged alike inside a piece, at the joint of two pieces and (gears) at the start. Neutral
+/// values make the cost the length. A gear that may not be driven has an infinite weight.
+/// docs/algorithms/anytime.md says what is optimal under a rule.
 struct CostRule {
-  double forward_weight = 1.0;         ///< per metre driven forward; >= 1
-  double reverse_weight = 1.0;         ///< per metre driven in reverse; >= 1
-  double gear_change_cost = 0.0;       ///< of one change [m]; >= 0
-  GearSign initial_gear = 0;           ///< before the first metre; 0: any, and the first is free
-  double curvature_change_cost = 0.0;  ///< of total variation of curvature [m per 1/m]; >= 0
-  /// A metre costs 1 + clearance_weight * max(0, 1 - clearance / clearance_distance) times as much.
-  double clearance_weight = 0.0;    ///< >= 0
-  double clearance_distance = 1.0;  ///< [m]; > 0
+  double forward_weight = 1.0;    ///< cost of a metre forward [m]; >= 1
+  double reverse_weight = 1.0;    ///< cost of a metre in reverse [m]; >= 1
+  double gear_change_cost = 0.0;  ///< cost of one gear change [m]; >= 0
+  GearSign initial_gear = 0;      ///< gear before the first metre; 0: any, the first gear is free
+  /// Cost of the total variation of curvature [m per 1/m]; >= 0.
+  double curvature_change_cost = 0.0;
+  /// Surcharge near obstacles; >= 0. A metre costs 1 + clearance_weight * max(0,
+  /// 1 - clearance / clearance_distance) times as much.
+  double clearance_weight = 0.0;
+  double clearance_distance = 1.0;  ///< distance that is near [m]; > 0
 
   [[nodiscard]] bool is_length() const {
     return forward_weight == 1.0 && reverse_weight == 1.0 && gear_change_cost == 0.0 &&
            curvature_change_cost == 0.0 && clearance_weight == 0.0;
   }
-  /// What a metre costs in a gear, apart from what being near things adds.
+  /// Cost of a metre in a gear [m], without the surcharge near obstacles.
   [[nodiscard]] double weight(GearSign gear) const {
     return gear > 0 ? forward_weight : reverse_weight;
   }
@@ -117,69 +119,71 @@ struct CostRule {
   }
   /// Whether both gears may be driven.
   [[nodiscard]] bool allows_both() const { return allows(1) && allows(-1); }
-  /// The one gear that may be driven; 0: both may.
+  /// The only gear that may be driven; 0: both may.
   [[nodiscard]] GearSign only_gear() const { return allows_both() ? 0 : allows(1) ? 1 : -1; }
 };
 
-/// How the vehicle drives just before or after a place, as far as it matters for what going on
-/// costs. A gear alone is a `Driven` whose curvature may be any.
+/// Gear and curvature just before or after a place, which decide what going on costs. A gear alone
+/// is a `Driven` of any curvature.
 struct Driven {
   static constexpr double any = std::numeric_limits<double>::quiet_NaN();
 
   Driven(GearSign sign = 0, double curvature_there = any)  // NOLINT(google-explicit-constructor)
       : gear(sign), curvature(curvature_there) {}
 
-  GearSign gear;
-  double curvature;  ///< [1/m]; `any`: turning the wheels is free
+  GearSign gear;     ///< 1 forward, -1 reverse, 0 not driven yet
+  double curvature;  ///< curvature [1/m]; `any`: turning the wheels is free
 };
 
-/// The prices of complete options. A price that is not set counts as in `shortest_style`.
+/// The rule of complete options. A price that is not set counts as in `shortest_style`.
 [[nodiscard]] CostRule cost_rule(const CostOptions& options);
 
-/// The rule, with an infinite weight for a gear that is not allowed.
+/// The rule with an infinite weight for each gear that is not allowed.
 [[nodiscard]] CostRule restricted(CostRule rule, AllowedGears gears);
 
-/// The rule by which a path costs its length, in the gears that the other rule allows.
+/// The rule by which a path costs its length, in the gears that `rule` allows.
 [[nodiscard]] CostRule length_rule(const CostRule& rule);
 
 [[nodiscard]] inline GearSign gear_of(const Segment& segment) {
   return segment.length < 0.0 ? -1 : 1;
 }
-/// How the first segment begins and how the last one ends; an empty piece: any.
+/// Gear and curvature at the begin of the first segment, or at the end of the last one. An empty
+/// piece: any.
 [[nodiscard]] Driven first_driven(const Piece& piece);
 [[nodiscard]] Driven last_driven(const Piece& piece);
+/// Gear and curvature at the end of a segment.
 [[nodiscard]] Driven last_driven(const Segment& segment);
 
-/// Whether the rule allows the gears in which the segments are driven.
+/// Whether the rule allows the gears of all segments.
 [[nodiscard]] bool may_drive(const CostRule& rule, std::span<const Segment> segments);
 
-/// Price of going on as `to` after `from`: of a gear change, and of turning the wheels [m].
+/// Cost of going on as `to` after `from`: of a gear change, and of turning the wheels [m].
 [[nodiscard]] double change_cost(const CostRule& rule, const Driven& from, const Driven& to);
 
-/// Cost of driving the segments [m], apart from what being near things adds to it; `driven` is what
-/// was driven before them and becomes how the last one ends.
+/// Cost of driving the segments [m], without the surcharge near obstacles. `driven` is what was
+/// driven before them; it becomes the end of the last segment.
 [[nodiscard]] double drive_cost(const CostRule& rule, std::span<const Segment> segments,
                                 Driven& driven);
 
-/// The rule for driving a path from its end to its start: the gears change places, and `before` is
-/// what is driven before the first metre of that.
+/// The rule for driving a path from its end to its start: the gears change places. `before` is the
+/// gear before the first metre of that.
 [[nodiscard]] CostRule reversed(const CostRule& rule, GearSign before);
 
-/// How finely the clearance is looked at along a way.
+/// How finely the clearance is sampled along a path.
 enum class Looks {
-  search,  ///< a few for each `clearance_distance`
-  answer,  ///< within 1e-3 of the cost
+  search,  ///< a few samples for each `clearance_distance`
+  answer,  ///< samples so fine that the cost is within 1e-3
 };
 
-/// What being near things adds to the cost of driving the segments from a pose [m], with the hitch
-/// angle of the task's start if there is a trailer. Above `cutoff` it is any number above it: the
-/// sum ends there. docs/algorithms/anytime.md says how it is found.
+/// Surcharge near obstacles for driving the segments from a pose [m]. A trailer begins with the
+/// hitch angle of the task's start. Above `cutoff` [m] any larger number may come back. Method:
+/// docs/algorithms/anytime.md.
 [[nodiscard]] double clearance_cost(const Task& task, const CostRule& rule, const LocalPose& from,
                                     std::span<const Segment> segments, Looks looks,
                                     double cutoff = std::numeric_limits<double>::infinity());
 
-/// What being near things adds, with the trailer, to the cost of driving the segments from a state
-/// of the rig [m]; the vehicle alone if it has no trailer.
+/// Surcharge near obstacles for driving the segments from a state of the rig [m]; for the vehicle
+/// alone if it has no trailer. Above `cutoff` [m] any larger number may come back.
 [[nodiscard]] double rig_clearance_cost(const Task& task, const CostRule& rule,
                                         const Local<RigState>& from,
                                         std::span<const Segment> segments, Looks looks,
@@ -187,64 +191,64 @@ enum class Looks {
 
 // ---- Which piece joins two poses, what does it cost, and may it be driven? ----
 
-/// What is driven before and after a piece.
+/// Gears and curvatures before and after a piece.
 struct Gears {
-  Driven before = {};
-  Driven after = {};
+  Driven before = {};  ///< end of what is driven before the piece
+  Driven after = {};   ///< begin of what is driven after the piece
 };
 
-/// On which terms a connection is wanted.
+/// Terms of a connection that is wanted.
 struct Terms {
-  double cost_so_far = 0.0;  ///< of getting to the first pose [m]
-  /// Only what costs less in all is of interest [m].
+  double cost_so_far = 0.0;  ///< cost up to the first pose [m]
+  /// Total cost from which on a connection is of no interest [m].
   double cutoff = std::numeric_limits<double>::infinity();
   Gears gears = {};
 };
 
-/// A piece that may be driven.
+/// A free piece with its cost.
 struct Connection {
   Piece piece;
-  double cost = 0.0;  ///< in all, with what it cost to get to its begin [m]
+  double cost = 0.0;  ///< total cost, with the cost up to its begin [m]
 };
 
-/// The least radius on which a vehicle steers with continuous curvature [m]: its own, or a wider
-/// one if its wheels turn so slowly that it has turned around before they are at full lock.
+/// Least radius on which a vehicle steers with continuous curvature [m]: its own, or a wider one if
+/// its wheels turn so slowly that it has turned around before full lock.
 [[nodiscard]] double continuous_radius(const Vehicle& vehicle) noexcept;
 
-/// Steers, prices and checks for one task, and counts what it is asked. One for each thread.
+/// Steers, prices and checks for one task, and counts these calls. Each thread needs its own.
 class Connector {
  public:
-  /// The task outlives the connector. With `profile` the time of steering and checking is measured.
+  /// A connector of the task, which must outlive it. `profile`: times are measured. Throws
+  /// InputError naming "curvature" if the wheels turn too slowly for the curvatures at the ends.
   explicit Connector(const Task& task, const CostRule& rule = {}, bool profile = false);
 
-  /// The cheapest word from pose to pose, if it costs less than the cutoff and is free.
+  /// The piece of `steer` with its total cost, if that is below the cutoff and the piece is free.
   [[nodiscard]] std::optional<Connection> connect(const LocalPose& from, const LocalPose& to,
                                                   const Terms& terms = {});
 
-  /// The word of least cost; the shortest one under a neutral rule. Under another rule arcs that
-  /// vanish are left out: the piece then ends at a pose on the way but for rounding, at the goal of
-  /// the task within what the judge allows. If no word costs less than `cutoff` [m], the joints to
-  /// both gears included, it is any word or none: most calls for a cheaper way end so, and sooner.
+  /// The word of least cost from pose to pose, obstacles apart; the shortest one under a neutral
+  /// rule. Under another rule vanishing arcs are left out: the piece ends at a pose on the way but
+  /// for rounding, at the task's goal within what the judge allows. If no word costs less than
+  /// `cutoff` [m], joints to both gears included, the result is any word or none, which is faster.
   ///
-  /// Where the task's curvature is continuous, the piece goes on from what is driven before it and
-  /// goes over into what is driven after it; where that is not known, and at poses on the way, its
-  /// wheels are straight. There may be no such piece among the words.
+  /// Where the task's curvature is continuous, the piece continues the curvature before and after
+  /// it. If a neighbour is unknown, and at poses on the way, its wheels are straight. None if no
+  /// word does so.
   [[nodiscard]] std::optional<Piece> steer(const LocalPose& from, const LocalPose& to,
                                            const Gears& gears = {},
                                            double cutoff = std::numeric_limits<double>::infinity());
 
-  /// What no path between the poses costs less than, with the joints to both gears [m]: on open
-  /// ground it is driven forward, or in reverse, or changes gear. The length of the shortest path
-  /// under a neutral rule.
+  /// Lower bound of the cost of every path between the poses, with the joints to both gears [m]. On
+  /// open ground a path drives forward only, in reverse only, or changes gear. Under a neutral rule
+  /// it is the length of the shortest path.
   [[nodiscard]] double least_cost(const LocalPose& from, const LocalPose& to,
                                   const Gears& gears = {});
 
-  /// Cost of a piece between two others [m], apart from what being near things adds to it; the
-  /// joint to the next one is its part, if there is one.
+  /// Cost of a piece between two others [m], without the surcharge near obstacles. The joint to the
+  /// next piece is included, if there is one.
   [[nodiscard]] double cost(const Piece& piece, const Gears& gears = {}) const;
 
-  /// What being near things adds to the cost of the segments [m]; above `cutoff` any number above
-  /// it.
+  /// Surcharge near obstacles for the segments from a pose [m]; above `cutoff` any larger number.
   [[nodiscard]] double clearance_cost(
       const LocalPose& from, std::span<const Segment> segments,
       double cutoff = std::numeric_limits<double>::infinity()) const {
@@ -253,12 +257,13 @@ class Connector {
                : search::clearance_cost(task_, rule_, from, segments, Looks::search, cutoff);
   }
 
+  /// Whether the vehicle is free on the whole piece, on the segment, or at the pose.
   [[nodiscard]] bool is_free(const LocalPose& from, const Piece& piece);
   [[nodiscard]] bool is_free(const LocalPose& from, const Segment& segment);
   [[nodiscard]] bool is_free(const LocalPose& pose) const { return checker_.is_free(pose); }
 
-  /// As much of the piece as is free, found by halving; where the curvature is continuous it ends
-  /// with straight wheels.
+  /// The free begin of the piece, found by halving. Where the curvature is continuous it ends with
+  /// straight wheels.
   [[nodiscard]] Piece free_prefix(const LocalPose& from, const Piece& piece);
 
   /// The vehicle's turning radius [m].
@@ -271,19 +276,19 @@ class Connector {
   [[nodiscard]] bool may_jump(const Driven& before, const Driven& after) const;
   [[nodiscard]] const CostRule& rule() const { return rule_; }
 
-  /// How many steering problems it has solved and how many edges it has checked.
+  /// Number of steering problems solved, and of edges checked.
   [[nodiscard]] std::int64_t solves() const { return solves_; }
   [[nodiscard]] std::int64_t checks() const { return checks_; }
-  /// Time spent in both, when it was asked to measure [s].
+  /// Time spent in steering, and in checking, if it is measured [s].
   [[nodiscard]] double steering_time() const { return steering_.seconds(); }
   [[nodiscard]] double checking_time() const { return checking_.seconds(); }
 
  private:
-  /// How a piece of continuous curvature may begin or end at a pose.
+  // How a piece of continuous curvature may begin or end at a pose.
   struct End {
-    bool stands;       ///< the vehicle stands there: any curvature will do
-    double curvature;  ///< else [1/m]
-    GearSign gear;     ///< in which the piece has to be driven there; 0: in either
+    bool stands;       ///< the vehicle stands there: any curvature is allowed
+    double curvature;  ///< curvature there, unless it stands [1/m]
+    GearSign gear;     ///< gear in which the piece is driven there; 0: either
   };
 
   [[nodiscard]] Piece cheapest_word(const LocalPose& from, const LocalPose& to, const Gears& gears,
@@ -305,18 +310,19 @@ class Connector {
   PhaseTimer checking_;
 };
 
-/// The first `s` metres of a piece; and the piece without them.
+/// The first `s` metres of a piece.
 [[nodiscard]] Piece prefix(const Piece& piece, double s);
+/// The piece without its first `s` metres.
 [[nodiscard]] Piece suffix(const Piece& piece, double s);
 
-/// How far from straight rounding leaves the wheels, times the turning radius.
+/// Largest curvature of straight wheels, times the turning radius: rounding leaves them so.
 inline constexpr double straight_wheels = 1e-9;
 
-/// The place [m] on a piece nearest to `s` where it may be cut, and another piece begin there: the
+/// The driven distance [m] nearest to `s` where the piece may be cut and another piece begin: the
 /// wheels are straight or the gear changes. Both ends of the piece are such places.
 [[nodiscard]] double nearest_cut(const Piece& piece, double s, double radius);
 
-/// The pose at the end of a piece.
+/// The pose at the end of a piece that begins at `from`.
 [[nodiscard]] Pose end_of(const Pose& from, const Piece& piece);
 [[nodiscard]] inline LocalPose end_of(const LocalPose& from, const Piece& piece) {
   return Local(end_of(static_cast<const Pose&>(from), piece));
@@ -327,14 +333,15 @@ inline constexpr double straight_wheels = 1e-9;
 /// Position of a node in its tree; the root is 0 and parents come before their children.
 using NodeId = std::int32_t;
 
-/// Nodes as structure of arrays. What decides is double; the float copies are for kernels that
-/// rank. An edge is not stored: it is what `Connector::steer` gives from the parent's pose to the
-/// node's.
+/// Nodes of a search tree as structure of arrays. Decisions use the doubles; the float copies are
+/// for kernels that rank. An edge is not stored: it is the piece that `Connector::steer` gives from
+/// the parent's pose to the node's.
 class Tree {
  public:
-  /// Reserves room for `capacity` nodes, so that `add` does not allocate.
+  /// A tree with a root. It reserves room for `capacity` nodes, so that `add` does not allocate.
   Tree(const LocalPose& root, std::size_t capacity);
 
+  /// Adds a node whose cost from the root is `cost_to_come` [m], and returns its position.
   NodeId add(const LocalPose& pose, NodeId parent, double cost_to_come);
 
   [[nodiscard]] std::size_t size() const noexcept { return poses_.size(); }
@@ -343,10 +350,11 @@ class Tree {
   /// Cost of the path from the root [m].
   [[nodiscard]] double cost_to_come(NodeId id) const noexcept { return costs_[index(id)]; }
 
-  [[nodiscard]] std::span<const float> x() const noexcept { return x_; }
-  [[nodiscard]] std::span<const float> y() const noexcept { return y_; }
-  /// Headings in [-pi, pi).
+  [[nodiscard]] std::span<const float> x() const noexcept { return x_; }  ///< x of all nodes [m]
+  [[nodiscard]] std::span<const float> y() const noexcept { return y_; }  ///< y of all nodes [m]
+  /// Headings of all nodes in [-pi, pi) [rad].
   [[nodiscard]] std::span<const float> heading() const noexcept { return heading_; }
+  /// Costs of the paths from the root to all nodes [m].
   [[nodiscard]] std::span<const float> cost_to_come() const noexcept { return ranking_cost_; }
 
   /// The poses from the root to the node, both included.

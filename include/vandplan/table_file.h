@@ -3,7 +3,7 @@
 #pragma once
 // How does a table become a file, and how does a file become a table?
 //
-// Bytes only; vandplan/files.h moves them. Layout: docs/formats.md.
+// The functions convert bytes; vandplan/files.h reads and writes them. Layout: docs/formats.md.
 
 #include <cstddef>
 #include <cstdint>
@@ -25,26 +25,27 @@ namespace vandplan {
 /// The library's table of bounds (bound_table.h) as the bytes of a file.
 [[nodiscard]] std::string bound_table_to_bytes();
 
-/// What a table file says about itself before its entries.
+/// Head of a table file: what it says about itself before its entries.
 struct TableFileHead {
-  /// What a file holds: written by `table_to_bytes`, or by `bound_table_to_bytes`.
+  /// Content of a file: written by `table_to_bytes` (lengths), or by `bound_table_to_bytes`
+  /// (bounds).
   enum class Content { lengths, bounds };
   Content content = Content::lengths;
-  HeuristicTableOptions options{};  ///< of a table of lengths
-  BoundTableInfo bounds{};          ///< of a table of bounds
-  std::uint64_t entries = 0;
-  std::uint64_t bytes = 0;  ///< of the whole file
-  std::uint64_t checksum = 0;
+  HeuristicTableOptions options{};  ///< options of a table of lengths
+  BoundTableInfo bounds{};          ///< shape of a table of bounds
+  std::uint64_t entries = 0;        ///< number of entries
+  std::uint64_t bytes = 0;          ///< size of the whole file [bytes]
+  std::uint64_t checksum = 0;       ///< checksum of the file
 };
 
-/// The number of bytes at the start of a table file that hold its head.
+/// Number of bytes at the start of a table file that hold its head.
 inline constexpr std::size_t table_file_head_size = 96;
 
-/// The head of a table file, of whose bytes only the first need to be there. Throws InputError
-/// naming `file` when it is not one of ours or promises more than 2^28 entries.
+/// The head of a table file. `start` holds at least its first bytes. Throws InputError naming
+/// `file` when the file is not one of ours or promises more than 2^28 entries.
 [[nodiscard]] TableFileHead table_file_head(std::string_view start, const std::string& file);
 
-/// Checks a table file: throws InputError naming `file` unless all of its bytes are there and the
+/// Checks a table file. Throws InputError naming `file` unless all of its bytes are there and the
 /// checksum fits.
 void check_table_file(std::string_view bytes, const std::string& file);
 

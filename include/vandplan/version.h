@@ -8,11 +8,11 @@
 
 namespace vandplan {
 
-/// Which version of the library runs, and how it was compiled.
+/// Version of the library and how it was compiled.
 struct BuildInfo {
-  std::string_view version;     ///< such as "0.1.0"
-  std::string_view compiler;    ///< such as "GNU 12.2.0"
-  std::string_view build_type;  ///< of CMake, such as "Release"
+  std::string_view version;     ///< version of the library, such as "0.1.0"
+  std::string_view compiler;    ///< name and version of the compiler, such as "GNU 12.2.0"
+  std::string_view build_type;  ///< build type of CMake, such as "Release"
 };
 
 /// Version and build of the library that is linked.

@@ -13,9 +13,9 @@ namespace {
 
 using Text = std::array<char, 40>;
 
-/// digits * 10^exponent
+/// The number digits * 10^exponent.
 struct Decimal {
-  std::int64_t digits;  // at most 17 of them
+  std::int64_t digits;  // at most 17 decimal digits
   int exponent;
 };
 
@@ -60,7 +60,7 @@ double moved(double value, double whole) noexcept {
   if (decimal.exponent >= 0 || decimal.exponent < -18) return value + whole;
   std::int64_t scale = 1;
   for (int i = decimal.exponent; i < 0; ++i) scale *= 10;
-  constexpr double largest = 9e18;  // with 17 digits on top still in 64 bits
+  constexpr double largest = 9e18;  // even with 17 digits added, the sum fits in 64 bits
   if (std::abs(whole) * static_cast<double>(scale) > largest) return value + whole;
   decimal.digits += static_cast<std::int64_t>(whole) * scale;
   return nearest_double(decimal);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What was made of a thing, and is kept as long as the thing itself?
+// How does an immutable value keep what was computed from it?
 //
-// So an immutable value serves parts of the library that it knows nothing of: each keeps what it
-// has computed, once for all who share the value.
+// Parts of the library that the value does not know keep their results beside it. Each result is
+// computed once for all who share the value, and lives as long as the value.
 
 #include <memory>
 #include <mutex>
@@ -14,12 +14,12 @@
 
 namespace vandplan::base {
 
-/// A list of immutable values of any type. May be used from several threads at once; who asks for
-/// what is being made waits for it.
+/// A list of immutable values of any type. May be used from several threads at once: a thread waits
+/// while another one makes a value.
 class Derived {
  public:
-  /// The kept value of a type for which `fits(value)` holds; if there is none, the one that
-  /// `make()` returns.
+  /// The kept value of a type for which `fits(value)` holds. If there is none, keeps and returns
+  /// the value of `make()`.
   template <typename Fits, typename Make>
   [[nodiscard]] std::shared_ptr<const void> find_or_make(std::type_index type, Fits fits,
                                                          Make make) {

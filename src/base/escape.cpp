@@ -12,7 +12,7 @@ unsigned byte_at(std::string_view text, std::size_t i) {
   return static_cast<unsigned char>(text[i]);
 }
 
-/// The number of the character that a text begins with, `length` bytes long.
+/// Code point of the first character of a text, `length` bytes long.
 std::uint32_t code_of(std::string_view text, std::size_t length) {
   if (length == 1) return byte_at(text, 0);
   std::uint32_t code = byte_at(text, 0) & (0x7FU >> length);
@@ -22,7 +22,8 @@ std::uint32_t code_of(std::string_view text, std::size_t length) {
 
 bool is_control(std::uint32_t code) { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
 
-/// Ends of lines and paragraphs, and what turns the direction of writing.
+/// Whether a character ends a line or paragraph, turns the direction of writing, or marks byte
+/// order.
 bool is_invisible(std::uint32_t code) {
   return (code >= 0x200E && code <= 0x200F) || (code >= 0x2028 && code <= 0x202E) ||
          (code >= 0x2066 && code <= 0x2069) || code == 0x61C || code == 0xFEFF;
@@ -34,8 +35,8 @@ std::string in_hex(std::uint32_t value, int digits) {
   return text;
 }
 
-/// Calls `keep(characters)` for what can be shown and `escape(code, bytes)` for what cannot; a byte
-/// that is no UTF-8 is its own code.
+/// Calls `keep(bytes)` for each character that can be shown, and `escape(code, bytes)` for each
+/// that cannot. A byte that is no UTF-8 is its own code.
 template <class Keep, class Escape>
 void for_each_character(std::string_view text, Keep keep, Escape escape) {
   while (!text.empty()) {
@@ -51,7 +52,7 @@ void for_each_character(std::string_view text, Keep keep, Escape escape) {
   }
 }
 
-/// With a backslash before each of `characters`.
+/// The text with a backslash before each of `characters`.
 std::string with_backslashes(std::string_view text, std::string_view characters) {
   std::string result;
   for (const char c : text) {
@@ -77,7 +78,7 @@ std::size_t character_length(std::string_view text) {
   for (std::size_t i = 1; i < length; ++i) {
     if ((byte_at(text, i) & 0xC0) != 0x80) return 0;
   }
-  // Overlong forms, surrogates, and what lies beyond Unicode.
+  // Wrong are overlong forms, surrogates, and numbers beyond Unicode.
   const unsigned second = byte_at(text, 1);
   const bool is_wrong = (first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) ||
                         (first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F);

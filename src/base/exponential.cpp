@@ -25,10 +25,10 @@ double exponential(double x) noexcept {
   const double high = x - n * log2_high;
   const double low = n * log2_low;
   const double r = high - low;
-  // What the last subtraction lost counts to first order.
+  // What the last subtraction lost: it counts to first order.
   const double rest = (high - r) - low;
-  // Taylor's series; the first term left out is below 5e-18. In pairs, which wait for each other
-  // less than one term after the other.
+  // Taylor's series; the first term left out is below 5e-18. Pairs of terms depend on each other
+  // less than single terms would.
   constexpr std::array<double, 12> c = {1.0 / 2,        1.0 / 6,         1.0 / 24,
                                         1.0 / 120,      1.0 / 720,       1.0 / 5040,
                                         1.0 / 40320,    1.0 / 362880,    1.0 / 3628800,

@@ -9,22 +9,22 @@
 
 namespace vandplan::base {
 
-/// A value that one thread at a time may touch; whoever shares it may change it.
+/// A value that one thread at a time may touch. A const reference is enough to change it.
 template <typename Value>
 class Guarded {
  public:
   template <typename... Arguments>
   explicit Guarded(Arguments&&... arguments) : value_(std::forward<Arguments>(arguments)...) {}
 
-  /// What `use(value)` returns; whoever else asks waits for it.
+  /// Returns `use(value)`. Other threads that ask for the value wait meanwhile.
   template <typename Use>
   auto with(Use use) const {
     const std::lock_guard lock(mutex_);
     return use(value_);
   }
 
-  /// Calls `use(value)` as soon as nobody else does; does not, and returns false, once `give_up()`
-  /// is true, which is asked about every millisecond.
+  /// Calls `use(value)` as soon as no other thread uses the value, and returns true. While it
+  /// waits, it calls `give_up()` about every millisecond, and returns false once that is true.
   template <typename Use, typename GiveUp>
   [[nodiscard]] bool with(Use use, GiveUp give_up) const {
     std::unique_lock lock(mutex_, std::defer_lock);

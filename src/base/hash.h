@@ -3,8 +3,8 @@
 #pragma once
 // What is the fingerprint of some bytes?
 //
-// FNV-1a, 64 bits (Fowler, Noll, Vo): to tell contents apart, not against malice. Every step is a
-// bijection of the state, so a single altered byte never goes unseen.
+// It is FNV-1a, 64 bits (Fowler, Noll, Vo), to tell contents apart, not against malice. Every step
+// is a bijection of the state, so a single altered byte never goes unseen.
 
 #include <cstdint>
 #include <string_view>
@@ -14,7 +14,8 @@ namespace vandplan::base {
 /// The hash of no bytes.
 inline constexpr std::uint64_t empty_hash = 0xcbf29ce484222325U;
 
-/// The hash of `bytes`, or, with the hash of other bytes as `before`, of those followed by `bytes`.
+/// The hash of `bytes`. With the hash of other bytes as `before`, it is the hash of these other
+/// bytes followed by `bytes`.
 [[nodiscard]] constexpr std::uint64_t hash_of(std::string_view bytes,
                                               std::uint64_t before = empty_hash) noexcept {
   std::uint64_t hash = before;

@@ -7,7 +7,8 @@
 namespace vandplan {
 namespace {
 
-/// Whatever a file name or a quoted value holds, the message stays one line.
+/// The text with control characters replaced: whatever a file name or a quoted value holds, a
+/// message stays one line.
 std::string one_line(std::string text) {
   const auto is_control = [](char c) {
     const auto byte = static_cast<unsigned char>(c);

@@ -8,14 +8,14 @@
 namespace vandplan::base {
 namespace {
 
-constexpr std::size_t longest = 64;  // letters; nobody means a known word by more
+constexpr std::size_t longest = 64;  // letters; a longer word means no known one
 
 char folded(char c) {
   if (c == '_') return '-';
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// Letters to change, add, drop or swap with the next one until `a` is `b`.
+/// Number of letters to change, add, drop or swap with the next one until `a` is `b`.
 std::size_t changes(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last, last, row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;

@@ -15,7 +15,7 @@
 namespace vandplan {
 namespace {
 
-// What the threads of one call share.
+// State that the threads of one call share.
 class Sharing {
  public:
   Sharing(std::size_t count, const std::function<void(std::size_t)>& work)
@@ -75,14 +75,14 @@ namespace vandplan {
 void parallel_in_order(std::size_t count, int threads, const std::function<void(std::size_t)>& work,
                        const std::function<void(std::size_t)>& then) {
   std::mutex mutex;
-  std::vector<bool> waits(count);  // for those before it
+  std::vector<bool> waits(count);  // work is done; `then` waits for indices before it
   std::size_t next = 0;
   parallel_for(count, threads, [&](std::size_t i) {
     work(i);
     const std::lock_guard lock(mutex);
     waits[i] = true;
     for (; next < count && waits[next]; ++next) {
-      waits[next] = false;  // if the call throws, all others wait for ever
+      waits[next] = false;  // if the call throws, no further `then` begins
       then(next);
     }
   });

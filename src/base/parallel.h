@@ -15,8 +15,9 @@ namespace vandplan {
 /// thrown, no further one begins, and the first exception is thrown again here.
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& work);
 
-/// Calls `work(i)` like `parallel_for`, and `then(i)` once for each i when its work has returned:
-/// one at a time, in the order of i. After a call of either has thrown, no further `then` begins.
+/// Calls `work(i)` like `parallel_for`, and `then(i)` once for each i when `work(i)` has returned.
+/// Calls of `then` run one at a time, in the order of i. After a call of either has thrown, no
+/// further `then` begins.
 void parallel_in_order(std::size_t count, int threads, const std::function<void(std::size_t)>& work,
                        const std::function<void(std::size_t)>& then);
 

@@ -11,8 +11,8 @@
 
 namespace vandplan::base {
 
-/// Throws an InputError of the value called `where` unless the condition holds; `expected` says
-/// what range it has.
+/// Throws an InputError that names `where` and the value, unless `holds`. `expected` is the text of
+/// the allowed range.
 inline void require(bool holds, std::string_view where, double value, std::string_view expected) {
   if (holds) return;
   throw InputError(std::string(where),

@@ -19,8 +19,8 @@ template <class Number>
   return {buffer.data(), end};
 }
 
-/// The names of `things` with commas between them; `name_of(thing)` is its name, by default the
-/// thing itself.
+/// The names of `things` with commas between them. `name_of(thing)` is the name of a thing, by
+/// default the thing itself.
 template <class Things, class NameOf = std::identity>
 [[nodiscard]] std::string joined(const Things& things, NameOf name_of = {}) {
   std::string text;

@@ -17,11 +17,11 @@ namespace {
 /// An angle in [-pi/4, pi/4] as a sum, and the quarter turns that were taken from it.
 struct Reduced {
   double angle;
-  double rest;             ///< far below the last bit of `angle`
-  std::uint64_t quarters;  ///< modulo 4
+  double rest;             ///< second part of the sum, far below the last bit of `angle`
+  std::uint64_t quarters;  ///< quarter turns, modulo 4
 };
 
-/// For |angle| <= `series::moderate` (Cody & Waite 1980).
+/// The reduced angle, for |angle| <= `series::moderate` (Cody & Waite 1980).
 Reduced reduced_moderate(double angle) {
   const double shifted = angle * series::per_quarter + series::round;
   const double n = shifted - series::round;
@@ -37,8 +37,9 @@ Reduced reduced_moderate(double angle) {
 
 __extension__ using Wide = unsigned __int128;
 
-/// For every other finite angle (Payne & Hanek 1983): of angle * 2 / pi only the bits that are not
-/// multiples of four turns are computed, from a window of 192 bits of 2 / pi.
+/// The reduced angle, for every other finite angle (Payne & Hanek 1983). Only those bits of
+/// angle * 2 / pi are computed that are no multiples of four quarter turns. They come from a window
+/// of 192 bits of 2 / pi.
 Reduced reduced_large(double angle) {
   constexpr std::array<std::uint64_t, 21> two_over_pi = {
       0x0000000000000000, 0xa2f9836e4e441529, 0xfc2757d1f534ddc0, 0xdb6295993c439041,
@@ -111,7 +112,7 @@ SinCos sin_cos(double angle) noexcept {
   constexpr auto& C = series::cosine;
   const double s = (S[0] + z * (S[1] + z * S[2])) + z3 * (S[3] + z * (S[4] + z * S[5]));
   const double c = (C[0] + z * (C[1] + z * C[2])) + z3 * (C[3] + z * (C[4] + z * C[5]));
-  // Each with the first-order effect of the rest, the large terms added last.
+  // Sine and cosine with the first-order effect of the rest; the large terms are added last.
   const double sine = r + (r * z * s + reduced.rest * (1 - 0.5 * z));
   const double large = 1 - 0.5 * z;
   const double cosine = large + (((1 - large) - 0.5 * z) + (z * z * c - r * reduced.rest));
@@ -147,7 +148,7 @@ double atan_2(double y, double x) noexcept {
   const double p2 = (A[8] + z * A[9]) + z2 * A[10];
   const double angle = q + q * (z * (p0 + z4 * (p1 + z4 * p2)));
 
-  // Then mirrored at 45 degrees where y is larger, and at 90 degrees where x is negative.
+  // The angle is mirrored at 45 degrees where y is larger, and at 90 degrees where x is negative.
   const std::uint64_t steep = std::abs(y) > std::abs(x) ? 1 : 0;
   const std::uint64_t back = std::bit_cast<std::uint64_t>(x) >> 63;
   std::uint64_t eighth = steep != 0 ? 2 - middle : middle;

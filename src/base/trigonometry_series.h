@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which constants do sine, cosine and arc tangent rest on? For one angle (trigonometry.cpp) and for
-// vectors of them (simd).
+// Which constants do sine, cosine and arc tangent rest on?
+//
+// They serve single angles (trigonometry.cpp) and vectors of angles (simd).
 
 namespace vandplan::base::series {
 
-/// 2 / pi.
+/// Quarter turns in a radian: 2 / pi.
 inline constexpr double per_quarter = 0x1.45f306dc9c883p-1;
 /// pi/2 in three parts, the first two so short that their multiples by up to 255 are exact.
 inline constexpr double half_pi_1 = 0x1.921fb54442p+0;
 inline constexpr double half_pi_2 = 0x1.a308d31318p-41;
 inline constexpr double half_pi_3 = 0x1.8a2e03707344ap-81;
-/// Adding it leaves no bits behind the point.
+/// Adding this number rounds to a whole number.
 inline constexpr double round = 0x1.8p52;
-/// The largest angle whose quarter turns can be taken off with these parts [rad].
+/// The largest angle whose quarter turns can be taken off with the three parts of pi/2 [rad].
 inline constexpr double moderate = 400;
 
 // Minimax polynomials in z = r^2 up to pi/4, first term first, relative error 2^-58:
@@ -33,7 +34,7 @@ inline constexpr double arc_tangent[] = {
     -0x1.9cdd3a259de15p-5, 0x1.37f00a92da422p-5, -0x1.25a3844610dbdp-6};
 inline constexpr double tan_eighth = 0x1.a827999fcef32p-2;  ///< tan(pi/8)
 
-// Multiples of pi/4 as sums.
+// Multiples of pi/4 as sums eighths[i] + rests[i].
 inline constexpr double eighths[] = {0, 0x1.921fb54442d18p-1, 0x1.921fb54442d18p+0,
                                      0x1.2d97c7f3321d2p+1, 0x1.921fb54442d18p+1};
 inline constexpr double rests[] = {0, 0x1.1a62633145c07p-55, 0x1.1a62633145c07p-54,

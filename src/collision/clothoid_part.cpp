@@ -14,7 +14,7 @@ namespace {
 constexpr double most_parts = 1e6;
 constexpr double quarter = std::numbers::pi / 2;
 
-/// Half the length of an arc that is off by no more than `arc_deviation`.
+/// Half the length of an arc that deviates by at most `arc_deviation` [m].
 double half_of_arc(double rate, double reach) {
   return std::min(std::sqrt(arc_deviation / (rate * reach)), 0.75 * reach);
 }
@@ -50,8 +50,8 @@ double ClothoidPart::deviation(double reach) const noexcept {
   return std::abs(clothoid_.curvature_rate) * half * half * (reach / 2 + 2 * half / 3);
 }
 
-// The axle is furthest along x or y at the ends or where it points along an axis. That is at most
-// one place: it turns to one side, by a radian at most.
+// The axle is furthest along x or y at the ends, or where it points along an axis. There is at most
+// one such place, since a simple part turns to one side by at most a radian.
 bool ClothoidPart::keeps_to(const Bounds& bounds) const noexcept {
   if (!contains(bounds, to_.position)) return false;
   const double gear = clothoid_.length < 0 ? -1 : 1;
@@ -63,7 +63,7 @@ bool ClothoidPart::keeps_to(const Bounds& bounds) const noexcept {
   const double before = std::floor(heading / quarter);
   const double after_it = std::floor((heading + turn) / quarter);
   if (before == after_it) return true;
-  // The least t with curvature t + rate t^2 / 2 = wanted; every term has the same sign.
+  // Least t with curvature * t + rate * t^2 / 2 = wanted; all terms have the same sign.
   const double wanted = std::max(before, after_it) * quarter - heading;
   const double root = std::sqrt(std::max(0.0, curvature * curvature + 2 * rate * wanted));
   const double sum = std::abs(curvature) + root;

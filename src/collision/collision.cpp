@@ -28,20 +28,20 @@ bool holds(const Bounds& outer, const Bounds& inner) {
          inner.y_max <= outer.y_max;
 }
 
-/// The furthest point of a footprint from its rear axle [m].
+/// Largest distance of a point of a footprint from its rear axle [m].
 double reach_of(const Footprint& body) {
   const double x = std::max(body.rear, body.front);
   return std::sqrt(x * x + body.half_width * body.half_width);
 }
 
-/// Sides that a sweep touches while a part of its segment is driven. A long way is halved: the box
-/// around all of it holds much that is not near.
+/// Test whether a sweep touches a side while a part of its segment is driven. A long part is
+/// halved, as the box around all of it contains many sides that are not near.
 template <typename Touches>
 struct AlongTheWay {
   const Obstacles& obstacles;
   const PlacedSegment& placed;
   const Touches& touches;
-  double reach;  // of the footprint, inflated [m]
+  double reach;  // Reach of the inflated footprint from its axle [m].
 
   [[nodiscard]] bool is_crossed(double begin, double end) const noexcept {
     const double half = (end - begin) / 2;
@@ -56,8 +56,8 @@ struct AlongTheWay {
   }
 };
 
-/// The margin wanted with the rear axle in a place, or the most that is wanted up to `around`
-/// metres from it; the least, if that is negative [m].
+/// Margin that is wanted with the rear axle at a place [m]. If `around` is positive, the largest
+/// margin wanted within that distance; if it is negative, the least.
 double wanted_at(const Margin& margin, const Point& axle, double around) noexcept {
   double wanted = margin.wanted;
   for (const auto& [centre, least, reach] : margin.ramps) {
@@ -68,7 +68,7 @@ double wanted_at(const Margin& margin, const Point& axle, double around) noexcep
   return wanted;
 }
 
-/// Distance of a body from the sides of polygons, no more than `most` [m], which may be infinite.
+/// Distance of a body from the sides of polygons, at most `most` [m], which may be infinite.
 double distance_from(const Obstacles& obstacles, const Shape& body, const Placement& placement,
                      double most) noexcept {
   if (obstacles.is_empty()) return most;
@@ -78,19 +78,18 @@ double distance_from(const Obstacles& obstacles, const Shape& body, const Placem
     return least == 0;
   };
   const PlacedSegment standing(placement, Segment{});
-  constexpr double beyond_all = 1e12;  // [m]; a box of infinite size has no middle
+  constexpr double beyond_all = 1e12;  // [m]; the middle of an infinite box is undefined.
   (void)obstacles.any_near(Sweep(body.box, standing, std::min(most, beyond_all)).box(), lower);
   return std::sqrt(least);
 }
 
-/// Whether a side of polygons comes within a margin of a footprint on its way [m], if it is also
-/// one of those that `may_touch`.
+/// Whether a side comes within a margin [m] of a footprint on its way, and `may_touch` accepts it.
 template <typename MayTouch>
 bool is_crossed(const Obstacles& obstacles, const Footprint& footprint, double margin,
                 const PlacedSegment& placed, const MayTouch& may_touch) noexcept {
   const Sweep sweep(footprint, placed, margin);
   const auto touches = [&](const Sides& s) { return sweep.touches(s) && may_touch(s); };
-  const double reach = reach_of(footprint) + margin + 1e-3;  // more than it is inflated by
+  const double reach = reach_of(footprint) + margin + 1e-3;  // Adds more than the inflation.
   if (placed.length > 16 * reach && obstacles.are_many()) {
     const AlongTheWay<decltype(touches)> along{obstacles, placed, touches, reach};
     return along.is_crossed(0, placed.length);
@@ -109,12 +108,12 @@ bool is_crossed(const Obstacles& obstacles, const Shape& body, double margin,
                     [&](const Sides& s) { return outline.touches(s); });
 }
 
-/// The body of a vehicle or a trailer.
+/// Body of a vehicle or a trailer.
 Shape shape_of(const auto& part) {
   return {footprint(part), part.outline.empty() ? Polygon{} : body_outline(part)};
 }
 
-/// A rigid part of what drives, around the midpoint of its axle.
+/// Rigid body of a vehicle or trailer, around the midpoint of its axle.
 struct Body {
   Body(Shape of_body, const Footprint& of_wheels, double margin)
       : shape(std::move(of_body)),
@@ -124,11 +123,11 @@ struct Body {
 
   Shape shape;
   Shape wheels;
-  DiscRows discs;           // that cover the shape with the margin wanted
-  collision::DiscRow slim;  // that cover it without
+  DiscRows discs;           // Discs that cover the shape with the wanted margin.
+  collision::DiscRow slim;  // Discs that cover the shape without a margin.
 };
 
-/// What hangs on a vehicle.
+/// Trailer of a vehicle.
 struct Towed {
   Towed(const Vehicle& of, double margin)
       : vehicle(of),
@@ -144,8 +143,8 @@ struct Towed {
 
   Vehicle vehicle;
   Body body;
-  double reach;      // [m]
-  bool holds_hitch;  // whether either body holds its axle and the hitch
+  double reach;      // Largest distance of its points from the axle [m].
+  bool holds_hitch;  // Whether both bodies contain their axle and the hitch.
 };
 
 }  // namespace
@@ -165,20 +164,21 @@ struct CollisionChecker::Data {
   std::shared_ptr<const collision::Ground> ground;
   std::optional<Towed> towed = {};
 
-  /// Whether nothing contains the place of a rear axle.
+  /// Whether a rear axle may begin at a place: no obstacle, kerb or blocked cell contains it, and
+  /// `may_begin_at` holds.
   [[nodiscard]] bool is_outside(const Point& axle) const noexcept {
     return !ground->walls.contain(axle) && !ground->kerbs.contain(axle) &&
            !(ground->map && ground->map->contain(axle)) && may_begin_at(axle);
   }
 
-  /// Whether a body whose axle is there is inside of what it may not leave, or all of it outside.
+  /// Whether one of the `inside` areas contains the axle; true if there are none.
   [[nodiscard]] bool may_begin_at(const Point& axle) const noexcept {
     const auto holds_it = [&](const Obstacles& area) { return area.contain(axle); };
     const bool is_in_any = std::any_of(ground->inside.begin(), ground->inside.end(), holds_it);
     return ground->inside.empty() || is_in_any;
   }
 
-  /// Whether both bodies of a rig, by their axles, begin in the same area.
+  /// Whether the bodies of a rig, judged by their axles, begin in one area.
   [[nodiscard]] bool begin_together(const Point& axle, const Point& trailer) const noexcept {
     const auto holds_both = [&](const Obstacles& area) {
       return area.contain(axle) && area.contain(trailer);
@@ -187,15 +187,16 @@ struct CollisionChecker::Data {
            std::any_of(ground->inside.begin(), ground->inside.end(), holds_both);
   }
 
-  /// The same of a trailer's axle, or that a wall around it touches a body: where both bodies hold
-  /// the hitch, the way over it from one axle to the other does not leave them.
+  /// Whether no kerb, blocked cell or obstacle contains a trailer's axle. If both bodies contain
+  /// the hitch, obstacles need no test here: one around the axle touches a body, as the line over
+  /// the hitch to the tractor's axle stays in the bodies.
   [[nodiscard]] bool is_trailer_outside(const Point& axle) const noexcept {
     return (towed->holds_hitch || !ground->walls.contain(axle)) && !ground->kerbs.contain(axle) &&
            !(ground->map && ground->map->contain(axle));
   }
 
-  /// Whether no side is touched and the rear axle stays in the box. Together with a start outside
-  /// of all that is enough: whatever is entered later is entered across a side.
+  /// Whether the body touches no side and the rear axle stays in the box. If it also starts outside
+  /// all obstacles, the segment is free, since a body enters an obstacle only across a side.
   [[nodiscard]] bool crosses_nothing(const PlacedSegment& placed,
                                      const Bounds& box) const noexcept {
     return holds(box, placed.axle_box()) &&
@@ -203,7 +204,7 @@ struct CollisionChecker::Data {
                                  : keeps_margin(placed));
   }
 
-  /// Whether a body keeps a distance, with discs that cover it and what is within that distance.
+  /// Whether a body keeps a distance [m]. `around`: discs that cover the body and that distance.
   [[nodiscard]] bool keeps(const Body& moved, double distance, const DiscRows& around,
                            const PlacedSegment& placed) const noexcept {
     if (!moved.shape.corners.empty() && placed.length > OutlineSweep::longest) {
@@ -239,10 +240,10 @@ struct CollisionChecker::Data {
   [[nodiscard]] bool crosses_nothing(const TrailerPart& part) const noexcept;
 };
 
-/// Whether the margin is kept where it changes on the way: what is asked for on a part of it lies
-/// between two numbers, which are told apart only if that decides.
+/// Whether a margin that changes on the way is kept. The margins wanted on a part lie between two
+/// bounds; a part is halved only if they give different answers.
 bool CollisionChecker::Data::keeps_margin(const PlacedSegment& placed) const noexcept {
-  constexpr double close_enough = 0.2e-3;  // [m]
+  constexpr double close_enough = 0.2e-3;  // Difference of margins that does not matter [m].
   const auto keeps_all = [&](double distance) { return keeps(body, distance, placed); };
   const double half = placed.length / 2;
   const Point axle = placed.at(half).position;
@@ -253,8 +254,8 @@ bool CollisionChecker::Data::keeps_margin(const PlacedSegment& placed) const noe
   return keeps_margin(placed.part(0, half)) && keeps_margin(placed.part(half, placed.length));
 }
 
-/// Whether a part of a clothoid touches no side and keeps to the bounds: an arc in its place does,
-/// with as much around it as it is off; or both halves do.
+/// Whether a part of a clothoid touches no side and stays in the bounds. It does if the arc in its
+/// place does with a margin as large as its deviation, or if both halves do.
 bool CollisionChecker::Data::crosses_nothing(const ClothoidPart& part,
                                              double reach) const noexcept {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -262,7 +263,7 @@ bool CollisionChecker::Data::crosses_nothing(const ClothoidPart& part,
   if (part.is_simple()) {
     const PlacedSegment arc = part.arc();
     const double off = part.deviation(reach);
-    // The box of the arc does not count: the axle is held to the bounds on the clothoid itself.
+    // The arc's box does not count, as the axle is held to the bounds on the clothoid itself.
     if (off <= collision::arc_deviation) {
       return part.keeps_to(ground->bounds) && crosses_nothing(arc, everywhere);
     }
@@ -275,8 +276,8 @@ bool CollisionChecker::Data::crosses_nothing(const ClothoidPart& part,
   return crosses_nothing(first, reach) && crosses_nothing(second, reach);
 }
 
-/// Whether a clothoid touches no side and keeps to the bounds; `placement` goes on to its end. Out
-/// of line, so that arcs and lines do not pay for it.
+/// Whether a clothoid touches no side and stays in the bounds; moves `placement` to its end. Not
+/// inlined, so that arcs and lines do not pay for it.
 [[gnu::noinline, gnu::cold]] bool CollisionChecker::Data::crosses_nothing(
     Placement& placement, const Segment& clothoid) const noexcept {
   const double reach = std::max(reach_of(body.shape.box), reach_of(body.wheels.box));
@@ -286,11 +287,10 @@ bool CollisionChecker::Data::crosses_nothing(const ClothoidPart& part,
   return crosses_nothing(whole, reach);
 }
 
-/// Whether the trailer touches no side: an arc in place of its way does not, with as much around it
-/// as it is off, nor, where the margin changes on the way, with the most that is asked for; or both
-/// halves do not.
+/// Whether the trailer touches no side. It does not if the arc in place of its way keeps the
+/// deviation as a margin, plus the largest margin wanted on the part; or if both halves touch none.
 bool CollisionChecker::Data::crosses_nothing(const TrailerPart& part) const noexcept {
-  constexpr double close_enough = 0.2e-3;  // [m]
+  constexpr double close_enough = 0.2e-3;  // Difference of margins that does not matter [m].
   if (part.is_simple()) {
     const PlacedSegment arc = part.arc();
     const double off = part.deviation(towed->reach);

@@ -11,10 +11,10 @@
 namespace vandplan::collision {
 namespace {
 
-constexpr double shortest_look = 1.0;  // shorter parts stay in doubt [m]
+constexpr double shortest_look = 1.0;  // Shorter parts stay undecided [m].
 constexpr double most_discs = 8.0;
 
-/// The least radius with which a body covers discs in a row, below 0 if one is not in it.
+/// Largest radius of discs in a row that a body contains; negative if a centre is outside.
 double covered(const Polygon& corners, double first, double step, int count) {
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < count; ++i) {
@@ -42,7 +42,7 @@ class Tracer {
   Tracer(const geometry::DistanceField& field, double side, const DiscRows& discs,
          const PlacedSegment& placed)
       : field_(field), side_(side), per_metre_(1 / side), discs_(discs), placed_(placed) {
-    // So far may be driven before a centre has moved by one metre.
+    // Distance that may be driven before a centre has moved by one metre [m].
     const auto pace = [&](const DiscRow& row) {
       const double turned = placed.curvature * row.furthest;
       return 1 / std::sqrt(1 + turned * turned);
@@ -51,8 +51,8 @@ class Tracer {
     slim_pace_ = pace(discs.slim);
   }
 
-  /// The middle first, then the middles of what that leaves, the longest parts before their halves:
-  /// what lies across the segment is soon found.
+  /// Looks at the middle of the segment, then at the middles of undecided parts, longest parts
+  /// first. So an obstacle across the segment is found soon.
   void run(DiscTrace& trace) {
     open_[open_count_++] = {0, placed_.length};
     for (std::size_t i = 0; i < open_count_; ++i) {
@@ -70,8 +70,8 @@ class Tracer {
   }
 
  private:
-  /// How far before and behind that place it is clear [m]: at least `wanted`, if so far; negative,
-  /// if it may not even be clear there.
+  /// Distance before and behind a place that is clear [m]; at least `wanted` if that much is.
+  /// Negative if the place itself may not be clear.
   double clear_around(double place, double wanted) {
     const Placement axle = placed_.at(place);
     const double clear = one_pace_ * room(discs_.one, axle);
@@ -79,7 +79,7 @@ class Tracer {
     return std::max(clear, slim_pace_ * room(discs_.slim, axle));
   }
 
-  /// How far the discs may move in any direction and touch nothing [m].
+  /// Distance that the discs may move in any direction without touching a blocked cell [m].
   double room(const DiscRow& row, const Placement& axle) {
     double room = std::numeric_limits<double>::infinity();
     for (int i = 0; i < row.count && !is_hit_; ++i) {
@@ -102,8 +102,8 @@ class Tracer {
   }
 
   const geometry::DistanceField& field_;
-  double side_;       // of a cell [m]
-  double per_metre_;  // cells
+  double side_;       // Side of a cell [m].
+  double per_metre_;  // Cells in a metre.
   const DiscRows& discs_;
   const PlacedSegment& placed_;
   double one_pace_;
@@ -113,7 +113,7 @@ class Tracer {
   std::array<Part, DiscTrace::most_looks> open_;
 };
 
-/// Into order, neighbours into one.
+/// Sorts the undecided parts and joins neighbours.
 void merge_doubtful(DiscTrace& trace) {
   const auto begin = trace.doubtful.begin();
   const auto end = begin + static_cast<std::ptrdiff_t>(trace.doubtful_count);

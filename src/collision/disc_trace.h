@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which parts of a segment does the distance field leave in doubt?
+// Which parts of a segment are not decided by the distance field?
 //
-// Discs that cover the body are followed along the segment: where the field is so large that
-// none of them can get to a blocked cell, all is clear as far as that reaches. The idea is sphere
-// tracing (Hart 1996), here from the middle of what is left instead of from one end.
+// Discs that cover the body follow the segment. Where the field shows that no disc can reach a
+// blocked cell, the segment is clear as far as the free distance lasts. The idea is sphere tracing
+// (Hart 1996), here from the middle of each undecided part instead of from one end.
 
 #include <array>
 #include <cstddef>
@@ -17,45 +17,46 @@
 
 namespace vandplan::collision {
 
-/// Equal discs that cover a body, their centres in a row along its middle.
+/// Equal discs that cover a body; their centres lie in a row along its middle line.
 struct DiscRow {
-  double first;     // centre ahead of the rear axle [m]
-  double step;      // from one centre to the next [m]
-  int count;        // >= 1
-  double furthest;  // centre from the rear axle [m]
-  double outer;     // radius with which they cover the body, and a margin [m]
-  double inner;     // radius with which the body covers each of them, less a margin [m]
+  double first;     // First centre ahead of the rear axle [m].
+  double step;      // Distance from one centre to the next [m].
+  int count;        // Number of discs, >= 1.
+  double furthest;  // Largest distance of a centre from the rear axle [m].
+  double outer;     // Radius with which the discs cover the body and its margin [m].
+  double inner;     // Radius of discs inside the body and its margin [m].
 };
 
-/// Two covers of a body.
+/// Two covers of one body by discs.
 struct DiscRows {
-  /// Of the body and all that is within a margin of it [m].
+  /// Covers the body and all points within `margin` of it [m].
   explicit DiscRows(const Shape& body, double margin = 0.0) noexcept;
 
-  DiscRow one;   // of one disc
-  DiscRow slim;  // of so many that they are hardly wider than the box around the body
+  DiscRow one;   // Cover of one disc.
+  DiscRow slim;  // Cover of several discs, hardly wider than the box around the body.
 };
 
-/// A part of a segment: where it begins and ends, from the start of the segment [m].
+/// Part of a segment: distances of its begin and end from the start of the segment [m].
 struct Part {
   double begin, end;
 };
 
-/// What the field tells of a segment.
+/// Result of following a segment through the distance field.
 struct DiscTrace {
   static constexpr std::size_t most_looks = 64;
 
-  bool is_hit = false;  ///< the body certainly touches a blocked cell
+  bool is_hit = false;  ///< Whether the body certainly touches a blocked cell.
   std::size_t doubtful_count = 0;
-  std::array<Part, most_looks + 1> doubtful;  ///< a tree of looks has one leaf more than forks
+  /// Undecided parts; a tree of looks has one leaf more than forks.
+  std::array<Part, most_looks + 1> doubtful;
 
-  /// The parts of the segment, in order, outside of which all is clear if it is no hit.
+  /// Undecided parts of the segment, in order. The rest is clear unless `is_hit`.
   [[nodiscard]] std::span<const Part> in_doubt() const noexcept {
     return {doubtful.data(), doubtful_count};
   }
 };
 
-/// What the field tells of a segment that lies in the frame of the cells, whose side is that long
+/// Follows a segment, given in the frame of the cells, through the field. `side`: side of a cell
 /// [m].
 [[nodiscard]] DiscTrace trace_discs(const geometry::DistanceField& field, double side,
                                     const DiscRows& discs, const PlacedSegment& placed) noexcept;

@@ -14,13 +14,13 @@
 namespace vandplan::collision {
 namespace {
 
-constexpr double block = 0.4;                // side of blocks of edge cells, about [m]
-constexpr double field_block = 0.8;          // side of the blocks of the coarse field, about [m]
-constexpr double longest_piece = 1.5;        // of a segment whose cells are looked for at once [m]
-constexpr double longest_part = 50.0;        // that is not halved first [m]
-constexpr std::size_t most_candidates = 32;  // that wait for a look
+constexpr double block = 0.4;                // Approximate side of blocks of edge cells [m].
+constexpr double field_block = 0.8;          // Approximate side of blocks of the coarse field [m].
+constexpr double longest_piece = 1.5;        // Longest piece whose cells are searched at once [m].
+constexpr double longest_part = 50.0;        // Longest part that is not halved [m].
+constexpr std::size_t most_candidates = 32;  // Candidates that wait to be measured.
 
-/// How often cells of that side are doubled to come near to a length; at least once.
+/// Number of doublings that bring the side of a cell near a wanted length; at least 1.
 int doublings(double side, double wanted) {
   int times = 1;
   while (times < 10 && side * (1 << times) < wanted / std::sqrt(2.0)) ++times;
@@ -32,27 +32,27 @@ Sides sides_of(const Bounds& b) {
           {b.y_min, b.y_min, b.y_max, b.y_max, b.y_min}};
 }
 
-/// Of what is beyond nothing.
+/// Square of the positive part.
 double squared_beyond(double beyond) { return beyond > 0 ? beyond * beyond : 0.0; }
 
 CellBox blocks_in(const CellBox& cells, int shift) {
   return {cells.x_min >> shift, cells.x_max >> shift, cells.y_min >> shift, cells.y_max >> shift};
 }
 
-/// Cells that may be nearest.
+/// Cells that may be nearest to the body.
 struct Candidate {
-  double gap;  // they are no nearer, squared
+  double gap;  // Lower bound on their squared distance [m^2].
   Bounds box;
 };
 
-/// The cells of a run of blocks.
+/// Cells of a run of blocks.
 CellBox cells_of(std::int32_t y, std::int32_t x_begin, std::int32_t x_end, int shift) {
   return {x_begin << shift, (x_end << shift) - 1, y << shift, ((y + 1) << shift) - 1};
 }
 
 }  // namespace
 
-/// The edge cells near a body while one segment is driven, in the frame of the cells.
+/// Edge cells near a body while one segment is driven, in the frame of the cells.
 class GridObstacles::Neighbourhood {
  public:
   Neighbourhood(const GridObstacles& grid, const Shape& shape, double margin,
@@ -62,8 +62,8 @@ class GridObstacles::Neighbourhood {
         body_{shape.box.rear + margin, shape.box.front + margin, shape.box.half_width + margin},
         placed_(placed) {}
 
-  /// Distance of the body, without its margin, from the nearest edge cell where the segment begins,
-  /// no more than the margin [m].
+  /// Distance of the body, without its margin, from the nearest edge cell at the begin of the
+  /// segment, at most `margin` [m].
   [[nodiscard]] double distance(double margin) const {
     const Rectangle near = around(0, 0);
     const Footprint& body = shape_.box;
@@ -75,7 +75,7 @@ class GridObstacles::Neighbourhood {
                                   : squared_distance(shape_, placed_.from, sides_of(box));
       least = std::min(least, distance);
     };
-    // What may be nearest is looked at first: then hardly anything else is.
+    // The most promising cells are measured first, which rules out nearly all others.
     std::array<Candidate, most_candidates> candidates;
     std::size_t count = 0;
     (void)any_run(near, [&](const CellBox& run) {
@@ -101,7 +101,7 @@ class GridObstacles::Neighbourhood {
     return std::sqrt(least);
   }
 
-  /// A rectangle that lies as the footprint does.
+  /// Rectangle parallel to the footprint.
   struct Rectangle {
     Point middle;
     Point forward;  // unit vector
@@ -113,7 +113,8 @@ class GridObstacles::Neighbourhood {
       return {middle.x - x, middle.x + x, middle.y - y, middle.y + y};
     }
 
-    /// How far the box lies beyond it, along and across it; below 0 where their shadows overlap.
+    /// Gaps between the rectangle and the box along and across the rectangle [m]; negative where
+    /// their projections overlap.
     [[nodiscard]] Point beyond(const Bounds& b) const {
       const double dx = (b.x_min + b.x_max) / 2 - middle.x;
       const double dy = (b.y_min + b.y_max) / 2 - middle.y;
@@ -125,7 +126,7 @@ class GridObstacles::Neighbourhood {
               std::abs(dy * forward.x - dx * forward.y) - (half_width + half_x * v + half_y * u)};
     }
 
-    /// No point of the box is nearer, squared.
+    /// Lower bound on the squared distance of the box [m^2].
     [[nodiscard]] double squared_gap(const Bounds& b) const {
       const Point gap = beyond(b);
       const double along = std::max(gap.x, 0.0);
@@ -133,7 +134,7 @@ class GridObstacles::Neighbourhood {
       return along * along + aside * aside;
     }
 
-    /// 0 if they overlap.
+    /// Squared distance of the box [m^2]; 0 if they overlap.
     [[nodiscard]] double squared_distance(const Bounds& b) const {
       const Bounds box = this->box();
       const double apart_x = std::max(b.x_min - box.x_max, box.x_min - b.x_max);
@@ -142,7 +143,7 @@ class GridObstacles::Neighbourhood {
       double least = std::numeric_limits<double>::infinity();
       for (const double p : {-1.0, 1.0}) {
         for (const double q : {-1.0, 1.0}) {
-          // A corner of the box, as the rectangle sees it, and one of the rectangle.
+          // A corner of the box in the rectangle's frame, and a corner of the rectangle.
           const Point to{(p < 0 ? b.x_min : b.x_max) - middle.x,
                          (q < 0 ? b.y_min : b.y_max) - middle.y};
           const Point corner{middle.x + p * half_length * forward.x - q * half_width * forward.y,
@@ -158,17 +159,18 @@ class GridObstacles::Neighbourhood {
       return least;
     }
 
-    /// Whether they overlap, if the box overlaps the one around.
+    /// Whether rectangle and box overlap, provided that the rectangle's bounding box overlaps the
+    /// box.
     [[nodiscard]] bool meets(const Bounds& b) const {
       const Point gap = beyond(b);
       return (gap.x <= 0) & (gap.y <= 0);
     }
   };
 
-  /// Around the footprint wherever it is up to `reach` before or behind a place of the segment [m].
+  /// Rectangle around the footprint at all places up to `reach` before and behind `place` [m].
   [[nodiscard]] Rectangle around(double place, double reach) const {
     const Placement axle = placed_.at(place);
-    // A point (x, y) of it moves (1 - ky, kx) per metre in its frame, which turns by k per metre.
+    // In its frame, which turns by k per metre, a point (x, y) moves by (1 - ky, kx) per metre.
     const double x = std::max(body_.front, body_.rear);
     const double turn = placed_.curvature * reach;
     const double across = 1 + placed_.curvature * body_.half_width;
@@ -181,8 +183,8 @@ class GridObstacles::Neighbourhood {
             body_.half_width + aside + 2 * end_margin};
   }
 
-  /// [3] Calls `look` for runs of edge cells near the rectangle, until it returns true; through
-  /// blocks of cells.
+  /// [3] Calls `look` for runs of edge cells near the rectangle until it returns true. Searches
+  /// blocks of cells first.
   template <typename Look>
   [[nodiscard]] bool any_run(const Rectangle& near, Look look) const {
     const CellBox box = grid_.cells_in(near.box());
@@ -203,7 +205,7 @@ class GridObstacles::Neighbourhood {
   }
 
  private:
-  /// Calls `look` for the cells in the box of blocks near the rectangle, until it returns true.
+  /// Calls `look` for cells of the box in blocks near the rectangle, until it returns true.
   template <typename Look>
   [[nodiscard]] bool finds(const BitGrid& blocks, int shift, const CellBox& box,
                            const Rectangle& near, Look look) const {
@@ -216,11 +218,11 @@ class GridObstacles::Neighbourhood {
 
   const GridObstacles& grid_;
   const Shape& shape_;
-  Footprint body_;  // the box around it, with its margin
+  Footprint body_;  // Box around the body with its margin.
   const PlacedSegment& placed_;
 };
 
-/// For an edge cell in the way of one segment.
+/// Search for an edge cell in the way of one segment.
 class GridObstacles::Search {
  public:
   Search(const GridObstacles& grid, const Shape& shape, double margin, const PlacedSegment& placed)
@@ -228,7 +230,7 @@ class GridObstacles::Search {
     if (!shape.corners.empty()) outline_.emplace(shape.corners, placed, margin);
   }
 
-  /// [2] Long parts are halved, and left out where they keep outside of the frame.
+  /// [2] Halves long parts, and skips parts that stay outside the frame.
   [[nodiscard]] bool finds_any(const Part& part) const {
     const double length = part.end - part.begin;
     if (length <= longest_part) return finds_in_pieces(part);
@@ -238,7 +240,7 @@ class GridObstacles::Search {
   }
 
  private:
-  /// So short that the rectangles around them hold little that is not near, or few cells.
+  /// Searches pieces so short that the rectangles around them contain few cells that are not near.
   [[nodiscard]] bool finds_in_pieces(const Part& part) const {
     const double piece = std::max(longest_piece, 2 * cells_.side());
     const double count = std::max(1.0, std::ceil((part.end - part.begin) / piece));
@@ -270,7 +272,7 @@ GridObstacles::GridObstacles(const OccupancyGrid& grid)
       blocks_(geometry::blocks_of(cells_.edges(), block_shift_)) {
   const auto [sin, cos] = base::sin_cos(grid.origin.heading);
   along_ = {cos, sin};
-  // The frame is a cell wide.
+  // The frame adds one cell on each side.
   origin_ = {grid.origin.x - side_ * (cos - sin), grid.origin.y - side_ * (sin + cos)};
 }
 
@@ -299,7 +301,7 @@ PlacedSegment GridObstacles::in_frame(const PlacedSegment& placed) const noexcep
   return result;
 }
 
-/// The cells that meet a box, or more if it reaches beyond the frame.
+/// Cells that meet a box, or more if the box reaches beyond the frame.
 CellBox GridObstacles::cells_in(const Bounds& box) const noexcept {
   const auto index = [&](double place, std::int32_t count) {
     return static_cast<std::int32_t>(std::clamp(place / side_, 0.0, count - 0.5));
@@ -308,11 +310,11 @@ CellBox GridObstacles::cells_in(const Bounds& box) const noexcept {
           index(box.y_min, cells_.rows()), index(box.y_max, cells_.rows())};
 }
 
-/// [0] of a segment, at its begin.
+/// [0] The begin of a segment is tested.
 bool GridObstacles::contain(const Point& point) const noexcept {
   const Point p = in_frame(point);
   if (field_.at_least({p.x / side_, p.y / side_}) > 0) return false;
-  // Outside of the frame is as its border.
+  // Outside the frame counts as its border.
   const double x = std::clamp(p.x / side_, 0.0, cells_.columns() - 0.5);
   const double y = std::clamp(p.y / side_, 0.0, cells_.rows() - 0.5);
   return cells_.is_blocked(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y));
@@ -337,7 +339,7 @@ double GridObstacles::clearance(const CoveredShape& body, const Placement& place
   const auto& [position, heading] = placed.from;
   const DiscRow& row = body.slim;
   double nearest = most;
-  double proven = most;  // as far as the discs tell
+  double proven = most;  // Lower bound on the clearance by the discs [m].
   for (int i = 0; i < row.count; ++i) {
     const double ahead = row.first + i * row.step;
     const auto [least, highest] = field_.around(

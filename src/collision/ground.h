@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What can be hit, whoever drives? The part of collision checks that vehicles share.
+// What can a vehicle hit? The part of collision checks that all vehicles share.
 
 #include <memory>
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace vandplan::collision {
 
-/// Surroundings, ready to be asked quickly.
+/// Obstacles of the surroundings, indexed for fast queries.
 struct Ground {
   explicit Ground(const Surroundings& surroundings)
       : bounds(surroundings.bounds), walls(surroundings.obstacles), kerbs(surroundings.kerbs) {
@@ -21,10 +21,11 @@ struct Ground {
   }
 
   Bounds bounds;
-  Obstacles walls;                          ///< the body keeps clear of them
-  Obstacles kerbs;                          ///< the wheels do
-  std::vector<Obstacles> inside = {};       ///< areas, in one of which all begins; none: anywhere
-  std::shared_ptr<GridObstacles> map = {};  ///< that all who have it share; none: there is no map
+  Obstacles walls;  ///< Obstacles for the body.
+  Obstacles kerbs;  ///< Obstacles for the wheels alone.
+  /// Areas, one of which must contain the start; empty: anywhere.
+  std::vector<Obstacles> inside = {};
+  std::shared_ptr<GridObstacles> map = {};  ///< Map shared by all checkers; null: no map.
 };
 
 }  // namespace vandplan::collision

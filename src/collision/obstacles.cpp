@@ -7,15 +7,15 @@
 namespace vandplan::collision {
 namespace {
 
-/// Some sides of a polygon that follow each other.
+/// Consecutive sides of a polygon.
 struct Group {
   Sides sides;
-  double left;  // of the whole polygon: the least x
+  double left;  // Least x of the whole polygon.
 };
 
 double twice_area(const Polygon& polygon) {
   double area = 0.0;
-  const Point& o = polygon[0];  // near the corners, so that little cancels
+  const Point& o = polygon[0];  // Near the corners, to reduce cancellation.
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
     const Point& a = polygon[i];
     const Point& b = polygon[i + 1];
@@ -30,7 +30,7 @@ Bounds box_of(const Sides& sides) {
   return {*x_min, *x_max, *y_min, *y_max};
 }
 
-/// All sides of a polygon, counter-clockwise.
+/// Appends all sides of a polygon, counter-clockwise.
 void append_groups(Polygon polygon, std::vector<Group>& groups) {
   if (twice_area(polygon) < 0) std::reverse(polygon.begin(), polygon.end());
   const std::size_t count = polygon.size();
@@ -47,7 +47,7 @@ void append_groups(Polygon polygon, std::vector<Group>& groups) {
   }
 }
 
-/// How often the sides go around the point, counted where they cross the ray from it along x.
+/// Winding number of the sides around a point, counted at their crossings of its ray along x.
 int winding(const Sides& sides, const Point& p) {
   int sum = 0;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -76,7 +76,8 @@ Obstacles::Obstacles(std::span<const Polygon> polygons) {
     sides_.push_back(groups[i].sides);
     near.push_back(boxes[i]);
     right_of.push_back(boxes[i]);
-    // A polygon is not around what is left of it: all of its groups count there, or none.
+    // A polygon contains no point left of it. So right of its least x all of its groups are
+    // counted.
     right_of.back().x_min = groups[i].left;
   }
   near_ = geometry::BoxTree(near);
@@ -84,7 +85,8 @@ Obstacles::Obstacles(std::span<const Polygon> polygons) {
 }
 
 bool Obstacles::contain(const Point& point) const noexcept {
-  // All polygons go around counter-clockwise: the sum counts those that contain the point.
+  // All polygons are counter-clockwise, so the sum is the number of polygons that contain the
+  // point.
   int sum = 0;
   (void)right_of_.any({point.x, point.x, point.y, point.y}, [&](std::uint32_t i) {
     sum += winding(sides_[i], point);

@@ -12,7 +12,8 @@
 namespace vandplan::collision {
 namespace {
 
-constexpr double straight_arc = 0.1e-3;  // no point of the body is further off the line [m]
+// Largest deviation of a point of the body from a line [m].
+constexpr double straight_arc = 0.1e-3;
 
 double along(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
 double across(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
@@ -24,7 +25,7 @@ double furthest(std::span<const Point> corners) {
   return std::sqrt(most);
 }
 
-/// Square of the distance between two lines, from a to b and from c to d.
+/// Squared distance between two line segments, from a to b and from c to d [m^2].
 double squared_gap(const Point& a, const Point& b, const Point& c, const Point& d) {
   const auto parts = [](const Point& from, const Point& to, const Point& p, const Point& q) {
     const Point line = from_to(from, to);
@@ -49,7 +50,7 @@ OutlineSweep::OutlineSweep(std::span<const Point> corners, const PlacedSegment& 
   if (!turns_) near_ += straight_arc;
 }
 
-/// In the frame of the vehicle at the start.
+/// Tests in the frame of the vehicle at the start.
 bool OutlineSweep::touches(const Sides& sides) const noexcept {
   const auto& [position, heading] = placed_.from;
   std::array<Point, 5> p;
@@ -63,10 +64,10 @@ bool OutlineSweep::touches(const Sides& sides) const noexcept {
   return false;
 }
 
-/// Of two convex sets that are apart one is nearest at a corner of the other. So what is far enough
-/// at the start is so all along if no corner of the body comes near the side, and neither end of
-/// the side, as the body sees it, comes near a side of the body. The end b begins the polygon's
-/// next side, which is asked about it.
+/// Two disjoint convex sets are nearest at a corner of one of them. So a side that is far enough at
+/// the start stays so if no corner of the body comes near the side, and neither end of the side,
+/// seen from the body, comes near a side of the body. The end b is tested with the polygon's next
+/// side.
 bool OutlineSweep::touches_side(const Point& a, const Point& b) const noexcept {
   if (geometry::squared_distance(corners_, a, b) <= near_ * near_) return true;
   Point from = corners_.back();
@@ -85,8 +86,8 @@ bool OutlineSweep::comes_near(const Point& point, double way, const Point& a,
   return squared_gap(point, last, a, b) <= near_ * near_;
 }
 
-/// The point turns about the turning centre. Its arc is nearest to the side at an end of either, or
-/// where the way from the centre meets the side squarely, or they cross.
+/// Whether a point that turns about the turning centre comes near a side. Its arc is nearest to the
+/// side at an end of either, at the foot of the centre on the side, or at a crossing.
 bool OutlineSweep::turns_near(const Point& point, double way, const Point& a,
                               const Point& b) const noexcept {
   const double hand = way * gear_ * side_;  // 1: counter-clockwise
@@ -116,7 +117,8 @@ bool OutlineSweep::turns_near(const Point& point, double way, const Point& a,
   const Point line = from_to(c, d);
   const double squared = along(line, line);
   if (squared == 0.0) return false;
-  const double middle = -along(c, line) / squared;  // of the foot of the centre, as a part
+  // Foot of the centre on the side's line, as a fraction of it.
+  const double middle = -along(c, line) / squared;
   const Point foot{c.x + middle * line.x, c.y + middle * line.y};
   const double rest = radius * radius - along(foot, foot);
   if (rest < 0.0) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which sides does a convex body that is no rectangle touch while one segment is driven?
+// Which sides does a convex, non-rectangular body touch while one segment is driven?
 //
-// In closed form, without steps: docs/algorithms/collision.md, "Outlines".
+// Closed form, without steps: docs/algorithms/collision.md, "Outlines".
 
 #include <span>
 
@@ -12,18 +12,18 @@
 
 namespace vandplan::collision {
 
-/// All that a body with corners sweeps, and what is within a margin of it.
+/// Area swept by a body with corners, and all points within a margin of it.
 class OutlineSweep {
  public:
-  /// The corners and the segment, which is no longer than `longest`, outlive this.
+  /// Corners and segment must outlive the object. The segment must be no longer than `longest`.
   OutlineSweep(std::span<const Point> corners, const PlacedSegment& placed, double margin) noexcept;
 
-  /// Of a longer segment rounding might not be small enough [m].
+  /// Length of a segment up to which rounding errors are small enough [m].
   static constexpr double longest = 64.0;
 
-  /// Whether a side may come within the margin: true wherever it does, false where it stays the
-  /// margin and a millimetre away. If only the last corner comes near it may be false: that corner
-  /// begins another side of the polygon, which has to be asked as well.
+  /// Whether a side may come within the margin. True wherever it does; false where it stays the
+  /// margin plus a millimetre away. May be false if only the last corner comes near: that corner
+  /// begins another side of the polygon, which must be tested as well.
   [[nodiscard]] bool touches(const Sides& sides) const noexcept;
 
  private:
@@ -35,10 +35,10 @@ class OutlineSweep {
 
   std::span<const Point> corners_;
   const PlacedSegment& placed_;
-  double gear_;  // 1 or -1
-  double side_;  // of the turning centre: 1 to the left, -1 to the right
+  double gear_;  // Gear: 1 or -1.
+  double side_;  // Side of the turning centre: 1 left, -1 right.
   bool turns_;
-  double near_;  // no side may be nearer [m]
+  double near_;  // Distance that all sides must keep [m].
 };
 
 }  // namespace vandplan::collision

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How far is a footprint from a side of a polygon, as the vehicle sees it?
+// How far is a rectangular footprint from a side of a polygon, in the vehicle's frame?
 
 #include <algorithm>
 #include <cmath>
@@ -10,18 +10,18 @@
 
 namespace vandplan::collision {
 
-/// From `back` behind to `front` ahead of the rear axle, along x, and as wide to the left as to the
-/// right [m].
+/// Rectangle from `back` behind to `front` ahead of the rear axle along x, and `half_width` to each
+/// side [m].
 struct Rectangle {
   double back, front, half_width;
 
-  /// With a frame of that width around it [m].
+  /// Rectangle with a frame of width `by` around it [m].
   [[nodiscard]] Rectangle grown(double by) const noexcept {
     return {back + by, front + by, half_width + by};
   }
 
-  /// Whether the side from a to b touches it. Two convex sets are apart exactly if the normal of a
-  /// side of one of them tells them apart.
+  /// Whether the side from a to b touches the rectangle. Two convex sets are disjoint exactly if
+  /// the normal of a side of one of them separates them.
   [[nodiscard]] bool meets(const Point& a, const Point& b) const noexcept {
     const double middle = (front - back) / 2;
     const double half_length = (front + back) / 2;
@@ -35,8 +35,8 @@ struct Rectangle {
   }
 };
 
-/// Square of the distance between a rectangle and the side from a to b [m^2], 0 if they touch. Of
-/// two convex sets that are apart one is nearest at a corner of the other.
+/// Squared distance between a rectangle and the side from a to b [m^2]; 0 if they touch. Two
+/// disjoint convex sets are nearest at a corner of one of them.
 [[nodiscard]] inline double squared_distance(const Rectangle& body, const Point& a,
                                              const Point& b) noexcept {
   if (body.meets(a, b)) return 0.0;
@@ -51,7 +51,7 @@ struct Rectangle {
   for (const double x : {-body.back, body.front}) {
     for (const double y : {-body.half_width, body.half_width}) {
       const double along = (x - a.x) * d.x + (y - a.y) * d.y;
-      if (along <= 0 || along >= squared) continue;  // nearest at an end of the side
+      if (along <= 0 || along >= squared) continue;  // The nearest point is an end of the side.
       const double aside = (x - a.x) * d.y - (y - a.y) * d.x;
       least = std::min(least, aside * aside / squared);
     }

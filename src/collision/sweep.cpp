@@ -17,11 +17,11 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// An arc that leaves the straight sweep by no more than this is tested as straight [m].
+// Largest deviation from the straight sweep of an arc that is tested as straight [m].
 constexpr double straight_enough = 0.1e-3;
-// A corner this close to the edge of the swept area counts as covered [m].
+// Distance from the edge of the swept area at which a corner counts as covered [m].
 constexpr double slack = 1e-6;
-// Sides that reach further from the start of the segment are cut before they are tested [m].
+// Distance from the segment's start beyond which sides are cut before the test [m].
 constexpr double far_away = 1e4;
 
 double dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
@@ -35,14 +35,14 @@ struct Turned {
   Point end;
 };
 
-/// How far an arc turns, and where it ends in its frame.
+/// Turn of an arc, and its end in the arc's frame.
 Turned turned(double length, double curvature) noexcept {
   const double turn = length * curvature;
   // Half the turn gives 1 - cos(turn) without cancellation.
   const base::SinCos half = base::sin_cos(turn / 2);
   const double sin = 2 * half.sin * half.cos;
   const double cos = 1 - 2 * half.sin * half.sin;
-  // As small a turn moves nothing aside that double could tell.
+  // Such a small turn moves nothing sideways in double precision.
   if (turn < 1e-15) return {sin, cos, {length, 0}};
   return {sin, cos, {sin / curvature, 2 * half.sin * half.sin / curvature}};
 }
@@ -76,8 +76,8 @@ Placement after(const Placement& from, const Segment& segment) noexcept {
 
 namespace {
 
-/// Of a rectangle and the box around five points, as the vehicle sees them [m^2]: no point of what
-/// they hold is nearer.
+/// Lower bound on the squared distance of a rectangle from the hull of five points, in the
+/// vehicle's frame [m^2].
 double squared_gap(const Rectangle& body, const std::array<Point, 5>& points) {
   double left = points[0].x, right = left, low = points[0].y, high = low;
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -97,12 +97,12 @@ double squared_distance(const Shape& body, const Placement& placement, const Sid
                         double below) noexcept {
   const Rectangle box{body.box.rear, body.box.front, body.box.half_width};
   const auto& [position, heading] = placement;
-  std::array<Point, 5> corners;  // as the vehicle sees them
+  std::array<Point, 5> corners;  // Corners in the vehicle's frame.
   for (std::size_t i = 0; i < 5; ++i) {
     const Point to{sides.x[i] - position.x, sides.y[i] - position.y};
     corners[i] = {dot(to, heading), cross(heading, to)};
   }
-  if (squared_gap(box, corners) >= below) return infinity;  // most of them
+  if (squared_gap(box, corners) >= below) return infinity;  // Most sides end here.
   double least = infinity;
   for (std::size_t i = 0; i < 4; ++i) {
     const Point& a = corners[i];
@@ -157,8 +157,8 @@ Bounds PlacedSegment::axle_box() const noexcept {
   const Point& b = to.position;
   Bounds box{std::min(a.x, b.x), std::max(a.x, b.x), std::min(a.y, b.y), std::max(a.y, b.y)};
   if (!(turn > 0)) return box;
-  // An arc of less than half a turn passes its circle's greatest x exactly if x first grows, then
-  // falls; one of less than a whole turn unless that holds for what it leaves out.
+  // An arc below half a turn passes its circle's greatest x exactly if x first grows, then falls.
+  // An arc below a whole turn passes it unless the remaining arc does.
   const Point last{cos * forward.x + sin * left.x, cos * forward.y + sin * left.y};
   const auto passes = [&](double before, double after) {
     return turn >= 2 * pi || (turn < pi ? before > 0 && after < 0 : !(after > 0 && before < 0));
@@ -238,7 +238,7 @@ Bounds Sweep::box() const noexcept {
   if (s.turn >= pi) return disc;
   const Bounds last = box_at(s.to.position, {s.cos * s.forward.x + s.sin * s.left.x,
                                              s.cos * s.forward.y + s.sin * s.left.y});
-  // Between its ends a point leaves its chord by radius * (1 - cos(turn / 2)) at most.
+  // Between its ends a point leaves its chord by at most radius * (1 - cos(turn / 2)).
   const double bulge = s.turn * (s.length + s.turn * reach) / 8;
   return {std::max(disc.x_min, std::min(first.x_min, last.x_min) - bulge),
           std::min(disc.x_max, std::max(first.x_max, last.x_max) + bulge),
@@ -283,8 +283,8 @@ bool Sweep::is_near_first(const Point& a, const Point& b) const noexcept {
   return squared_distance(first_, a, b) <= margin_ * margin_;
 }
 
-/// Signed distance outwards from the circle of the rear axle, to first order; exactly,
-/// (r^2 - R^2) / 2R at distance r from the turning centre. Constant along every arc.
+/// Signed distance outwards from the circle of the rear axle, to first order. Exactly it is (r^2 -
+/// R^2) / 2R at distance r from the turning centre, so it is constant along each arc.
 double Sweep::level(const Point& p) const noexcept {
   return segment_.curvature / 2 * dot(p, p) - p.y;
 }
@@ -295,10 +295,11 @@ Point Sweep::from_end(const Point& p) const noexcept {
   return {dx * segment_.cos + dy * segment_.sin, dy * segment_.cos - dx * segment_.sin};
 }
 
-/// Of two points on one circle around the turning centre: does the first one come to the second?
+/// Whether the first of two points on a circle around the turning centre reaches the second one on
+/// the way.
 bool Sweep::is_reached(const Point& from, const Point& to) const noexcept {
   if (segment_.turn >= 2 * pi) return true;
-  // Sine and cosine of the angle between them, both times r^2 / R.
+  // Sine and cosine of the angle between the points, both times r^2 / R.
   const double curvature = segment_.curvature;
   const double sin = to.x - from.x + curvature * cross(from, to);
   const double cos = 1 / curvature + curvature * dot(from, to) - from.y - to.y;
@@ -327,8 +328,8 @@ bool Sweep::crosses_arc(const Point& a, const Point& b) const noexcept {
   return false;
 }
 
-/// [6] Whether a side that does not cross an arc comes within the margin of its inner part: an end
-/// of the side does, or the point of it that is nearest to the turning centre, from outside.
+/// [6] Whether a side that crosses no arc comes within the margin of its inner part. It does if an
+/// end of the side does, or its point nearest to the turning centre, from outside.
 bool Sweep::passes_arc(const Point& a, const Point& b) const noexcept {
   const double curvature = segment_.curvature;
   const Point d{b.x - a.x, b.y - a.y};
@@ -336,7 +337,8 @@ bool Sweep::passes_arc(const Point& a, const Point& b) const noexcept {
   const Point nearest{a.x + part * d.x, a.y + part * d.y};
   for (int i = 0; i < arc_count_; ++i) {
     const auto& [start, at] = arcs_[static_cast<std::size_t>(i)];
-    // The radius as a multiple of that of the rear axle, and the levels of circles beside the arc.
+    // Radius as a multiple of the rear axle's, and levels of the circles at the margin beside the
+    // arc.
     const double radius = std::sqrt(std::max(0.0, 1 + 2 * curvature * at));
     const double bulge = curvature * margin_ * margin_ / 2;
     const double outer = at + radius * margin_ + bulge;
@@ -353,15 +355,15 @@ bool Sweep::passes_arc(const Point& a, const Point& b) const noexcept {
   return false;
 }
 
-/// Whether the point is in the swept area, but for the rectangles at its ends: the footprint's
-/// side that would hit it does so on the way. A side hits the points of the levels it has.
+/// Whether a point is in the swept area without the rectangles at its ends, because a side of the
+/// footprint hits it on the way. A side hits only points at the levels that it has itself.
 bool Sweep::covers(const Point& p) const noexcept {
   const auto& [back, front, half_width] = moving_;
   const double curvature = segment_.curvature;
   const double at = level(p);
   const double most = level({front, -half_width});
   const bool centre_outside = curvature * half_width < 1;
-  // The front, below the turning centre: y from its level.
+  // The front, below the turning centre. It has y from the level.
   const double inner_front =
       centre_outside ? level({front, half_width}) : level({front, 1 / curvature});
   if (at >= inner_front - slack && at <= most + slack) {
@@ -400,8 +402,8 @@ bool Sweep::touches_side(const Point& a, const Point& b) const noexcept {
          crosses_arc(a, b) || passes_arc(a, b);
 }
 
-/// Levels grow with the square of the distance: of a side that reaches far away only the part in a
-/// square around the area counts.
+/// Tests a side that reaches far away. Levels grow with the squared distance, so the side is cut to
+/// a square around the area.
 bool Sweep::touches_far_side(const Point& a, const Point& b) const noexcept {
   const double reach = std::max({first_.front, first_.back}) + first_.half_width;
   const double most = std::min(segment_.length, 2 / segment_.curvature) + reach + margin_ + 1.0;
@@ -430,7 +432,7 @@ bool Sweep::touches_turning(const std::array<double, 5>& x,
     levels[i] = s.curvature / 2 * (x[i] * x[i] + y[i] * y[i]) - y[i];
     ahead[i] = (x[i] - s.end.x) * s.cos + (y[i] - s.end.y) * s.sin;
   }
-  // Most sides are apart from the area by level or by lying behind its start or beyond its end.
+  // Most sides are separated from the area by level, or lie behind its start or beyond its end.
   std::array<bool, 4> apart;
   for (std::size_t i = 0; i < 4; ++i) {
     const double dx = x[i + 1] - x[i];

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What does the footprint sweep while one segment is driven, and which sides does it touch?
+// Which area does the footprint sweep while one segment is driven, and which sides does it touch?
 //
-// In closed form, without steps. Theory and proof: docs/algorithms/collision.md.
+// Closed form, without steps. Theory and proof: docs/algorithms/collision.md.
 
 #include <array>
 #include <limits>
@@ -14,65 +14,65 @@
 
 namespace vandplan::collision {
 
-/// A pose whose heading is a unit vector.
+/// Pose whose heading is a unit vector.
 struct Placement {
   Point position;
   Point heading;
 };
 
-/// A pose with its heading as a unit vector.
+/// Converts a pose: its heading becomes a unit vector.
 [[nodiscard]] Placement placement_of(const Pose& pose) noexcept;
 
-/// Where a vehicle is after a segment.
+/// Placement of a vehicle after a segment.
 [[nodiscard]] Placement after(const Placement& from, const Segment& segment) noexcept;
 
-/// Four sides of one polygon, each from a corner to the next; where it has less, the last corner
-/// repeats.
+/// Four sides of one polygon, each from a corner to the next. If fewer are left, the last corner is
+/// repeated.
 struct Sides {
   std::array<double, 5> x;
   std::array<double, 5> y;
 };
 
-/// A rigid body: the box around it, and its corners counter-clockwise.
+/// Rigid body: the box around it, and its corners counter-clockwise.
 struct Shape {
   Footprint box;
-  Polygon corners = {};  ///< none: the box itself
+  Polygon corners = {};  ///< Corners; empty: the box itself.
 };
 
-/// Square of the distance of a body from four sides of a polygon, 0 if they touch; infinity if it
-/// is not less than `below` [m^2].
+/// Squared distance of a body from four sides of a polygon [m^2]; 0 if they touch. Infinity if it
+/// is not less than `below`.
 [[nodiscard]] double squared_distance(
     const Shape& body, const Placement& placement, const Sides& sides,
     double below = std::numeric_limits<double>::infinity()) noexcept;
 
-/// How far the footprint is inflated before it is tested [m]: at its start and end, and on the
-/// arcs between. Two sizes, so that rounding opens no gap where they meet.
+/// Inflation of the footprint for tests at start and end, and on the arcs between [m]. The sizes
+/// differ so that rounding opens no gap where they meet.
 inline constexpr double end_margin = 0.5e-3;
 inline constexpr double arc_margin = 0.3e-3;
 
-/// Where the rear axle goes: an arc or a line, seen from its start, as if driven forward and
+/// Way of the rear axle, an arc or a line, in the frame of its start as if driven forward and
 /// turning left. Other segments are mirrored into this frame.
 struct PlacedSegment {
   PlacedSegment(const Placement& from, const Segment& segment) noexcept;
 
   Placement from;
   Placement to;
-  Point forward;     // unit vector of the first movement
-  Point left;        // unit vector towards the turning centre
+  Point forward;     // Unit vector of the first movement.
+  Point left;        // Unit vector towards the turning centre.
   double length;     // >= 0 [m]
   double curvature;  // >= 0 [1/m]
   double turn;       // length * curvature [rad]
-  double sin;        // of the turn
+  double sin;        // Sine of `turn`.
   double cos;
-  Point end;  // in this frame [m]
+  Point end;  // End of the way in this frame [m].
 
-  /// The smallest box around all positions of the rear axle.
+  /// Smallest box around all positions of the rear axle.
   [[nodiscard]] Bounds axle_box() const noexcept;
 
-  /// Where the vehicle is after that length, from 0 to all of it [m].
+  /// Placement of the vehicle after a length from 0 to `length` [m].
   [[nodiscard]] Placement at(double driven) const noexcept;
 
-  /// What is driven between two lengths, the first one not above the other [m].
+  /// Part of the segment between two lengths, begin <= last [m].
   [[nodiscard]] PlacedSegment part(double begin, double last) const noexcept;
 
  private:
@@ -80,20 +80,20 @@ struct PlacedSegment {
                                  const Point& place) const noexcept;
 };
 
-/// The area swept by an inflated footprint, and all that is within a margin of it [m].
+/// Area swept by an inflated footprint, and all points within a margin of it [m].
 class Sweep {
  public:
   Sweep(const Footprint& footprint, const PlacedSegment& placed, double margin = 0.0) noexcept;
 
-  /// A box around the swept area and its margin.
+  /// Box around the swept area and its margin.
   [[nodiscard]] Bounds box() const noexcept;
 
-  /// Whether a side may come within the margin of the area: true wherever it does of the footprint
-  /// itself, false where that stays the margin and a millimetre away.
+  /// Whether a side may come within the margin of the area. True wherever it does of the footprint
+  /// itself; false where it stays the margin plus a millimetre away.
   [[nodiscard]] bool touches(const Sides& sides) const noexcept;
 
  private:
-  // Where a point of the footprint begins to draw a piece of the outline of the swept area.
+  // Arc of the outline of the swept area, drawn by a point of the footprint that begins at `start`.
   struct Arc {
     Point start;
     double level;
@@ -115,15 +115,16 @@ class Sweep {
 
   const PlacedSegment& segment_;
   double margin_;
-  bool turns_;        // else the area is the rectangle `first_`
-  Rectangle first_;   // at the start; with `end_margin`
-  Rectangle moving_;  // with `arc_margin`
+  bool turns_;        // Whether the vehicle turns; if not, the area is the rectangle `first_`.
+  Rectangle first_;   // Footprint at the start with `end_margin`.
+  Rectangle moving_;  // Footprint with `arc_margin`.
   std::array<Arc, 4> arcs_;
   int arc_count_ = 0;
-  double least_level_;  // of the footprint and its margin at any time
+  // Range of levels of the footprint and its margin at any time, as `level` gives them.
+  double least_level_;
   double most_level_;
-  double least_x_;  // of the area with its margin, seen from the start
-  double most_x_;   // of the same, seen from the end
+  double least_x_;  // Least x of the area with its margin, seen from the start.
+  double most_x_;   // Greatest x of the area with its margin, seen from the end.
 };
 
 }  // namespace vandplan::collision

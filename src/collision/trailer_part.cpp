@@ -8,19 +8,19 @@
 namespace vandplan::collision {
 namespace {
 
-constexpr double most_turns = 1e5;     // lengths of the coupling that a segment may have
-constexpr double shortest_arc = 1e-6;  // [m]; a trailer that turns on the spot drives so far
+constexpr double most_turns = 1e5;  // Largest ratio of a segment's way to the trailer's wheelbase.
+constexpr double shortest_arc = 1e-6;  // Length of the arc of a trailer that turns on the spot [m].
 
 RigPlacement driven(const Vehicle& vehicle, const RigPlacement& from, const Segment& segment) {
   return {vehicle, after(from.tractor, segment),
           hitch_angle_after(vehicle, from.hitch_angle, segment)};
 }
 
-/// How the trailer moves for each metre of its tractor.
+/// Motion of the trailer for each metre of its tractor.
 struct Motion {
-  double ahead;    // of its axle, along its own heading
-  double turning;  // its turning rate times its wheelbase
-  double folding;  // change of the hitch angle [rad/m]
+  double ahead;    // Motion of the trailer's axle along its own heading.
+  double turning;  // Turning rate of the trailer times its wheelbase.
+  double folding;  // Change of the hitch angle [rad/m].
 };
 
 Motion motion_of(const Vehicle& vehicle, const base::SinCos& fold, double curvature) {
@@ -74,11 +74,12 @@ PlacedSegment TrailerPart::arc() const noexcept {
   const auto& [end, last] = to_.trailer;
   const double of_tractor = segment_.length * (segment_.curvature + last_) / 2;
   const double turn = of_tractor - (to_.hitch_angle - from_.hitch_angle);
-  // Along the heading half-way, which is that of the sum of both.
+  // Chord along the heading halfway, which is the direction of the sum of both headings.
   const Point sum{first.x + last.x, first.y + last.y};
   const double chord = ((end.x - begin.x) * sum.x + (end.y - begin.y) * sum.y) /
                        std::sqrt(sum.x * sum.x + sum.y * sum.y);
-  // An arc is longer than its chord by (turn / 2) / sin(turn / 2); the rest is below 1e-8 of it.
+  // An arc is longer than its chord by (turn / 2) / sin(turn / 2). The omitted terms are below 1e-8
+  // of it.
   const double square = turn * turn;
   double length = chord * (1 + square / 24 * (1 + square * 7 / 240 * (1 + square * 31 / 1176)));
   if (turn != 0.0 && std::abs(length) < shortest_arc) length = std::copysign(shortest_arc, length);
@@ -91,7 +92,7 @@ double TrailerPart::deviation(double reach) const noexcept {
   const Motion begin = motion_of(*vehicle_, from_.fold, segment_.curvature);
   const Motion end = motion_of(*vehicle_, to_.fold, last_);
   const double swing = std::abs(vehicle_->hitch * segment_.curvature_rate);
-  // Bounds of what changes on the way, from its values at both ends.
+  // Bounds on quantities along the way, from their values at both ends.
   const double jolt = std::abs(segment_.curvature_rate) + swing / wheelbase;
   const double folding = (largest(begin.folding, end.folding) + jolt * length / 2) *
                          (1 + 0.57 * fastest_ / wheelbase * length);

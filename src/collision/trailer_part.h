@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which arc stands for the way of a trailer when it is checked, and how far off is it?
+// Which arc replaces the way of a trailer in a collision check, and how far off is it?
 //
-// Theory and proof: docs/algorithms/trailers.md.
+// Theory: docs/algorithms/trailers.md; proof: docs/proofs/rigs.md.
 
 #include <utility>
 
@@ -13,42 +13,42 @@
 
 namespace vandplan::collision {
 
-/// A state of a rig with what is asked of it again and again.
+/// State of a rig, with values that are needed repeatedly.
 struct RigPlacement {
   RigPlacement(const Vehicle& vehicle, const Placement& tractor, double hitch_angle) noexcept;
 
   Placement tractor;
-  double hitch_angle;  // [rad]
-  base::SinCos fold;   // of the hitch angle
+  double hitch_angle;  // Hitch angle [rad].
+  base::SinCos fold;   // Sine and cosine of the hitch angle.
   Placement trailer;
 };
 
-/// What a trailer does while its tractor drives a part of a segment.
+/// Motion of a trailer while its tractor drives a part of a segment.
 class TrailerPart {
  public:
-  /// Along all of a segment; the vehicle has a trailer and outlives the part.
+  /// A whole segment. The vehicle must have a trailer and outlive the part.
   TrailerPart(const Vehicle& vehicle, const RigPlacement& from, const Segment& segment) noexcept;
 
-  /// The rig at the end, its hitch angle not wrapped.
+  /// Rig at the end; its hitch angle is not wrapped.
   [[nodiscard]] const RigPlacement& to() const noexcept { return to_; }
 
-  /// Whether more parts than can be checked in reasonable time may be needed.
+  /// Whether the check may need too many parts.
   [[nodiscard]] bool is_too_long() const noexcept;
 
-  /// Whether the trailer turns by half a radian at most: only then there are `arc` and `deviation`.
+  /// Whether the trailer turns by at most half a radian, as `arc` and `deviation` require.
   [[nodiscard]] bool is_simple() const noexcept;
 
-  /// From where the trailer begins, with the same change of heading.
+  /// Arc from the begin of the trailer's way, with the same change of heading.
   [[nodiscard]] PlacedSegment arc() const noexcept;
 
-  /// How far a point within `reach` [m] of the trailer's axle is from its place on the true way
-  /// when the arc is driven, at most [m].
+  /// Largest distance of a point within `reach` [m] of the trailer's axle from its place on the
+  /// true way, when the arc is driven [m].
   [[nodiscard]] double deviation(double reach) const noexcept;
 
-  /// Where the midpoint of the tractor's rear axle is in the middle of the part.
+  /// Midpoint of the tractor's rear axle at the middle of the part.
   [[nodiscard]] Point tractor_in_the_middle() const noexcept;
 
-  /// No point of the tractor's rear axle is further from its middle place than this [m].
+  /// Largest distance of the tractor's rear axle from its place at the middle of the part [m].
   [[nodiscard]] double half_length() const noexcept;
 
   [[nodiscard]] std::pair<TrailerPart, TrailerPart> halves() const noexcept;
@@ -59,10 +59,10 @@ class TrailerPart {
 
   const Vehicle* vehicle_;
   RigPlacement from_, to_;
-  Segment segment_;   // of the tractor
-  double last_;       // curvature
-  double fastest_;    // speed of the trailer's hitch beside that of the tractor, at most
-  double most_turn_;  // of the trailer, at most [rad]
+  Segment segment_;   // Segment of the tractor.
+  double last_;       // Curvature at the end [1/m].
+  double fastest_;    // Largest speed of the trailer's hitch for a tractor's speed of 1.
+  double most_turn_;  // Bound on the turn of the trailer [rad].
 };
 
 }  // namespace vandplan::collision

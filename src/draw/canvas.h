@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How does Cairo's paper become bytes, and which colours and words does it take?
+// How does a Cairo page become the bytes of a file, and which colours and text styles does it use?
 
 #include <cairo.h>
 
@@ -12,13 +12,13 @@
 
 namespace vandplan::drawing {
 
-/// Page units: the picture is laid out for a page of fixed width and scaled to the width asked for.
+/// Size of a page [page units]. Pages are laid out at a fixed width and scaled to the wanted width.
 struct Size {
   double width = 0.0;
   double height = 0.0;
 };
 
-/// A rectangle on the page, y down [page units].
+/// Rectangle on the page, y down [page units].
 struct Box {
   double x = 0.0;
   double y = 0.0;
@@ -27,10 +27,10 @@ struct Box {
 };
 
 struct Colour {
-  double red, green, blue;  // 0 to 1
+  double red, green, blue;  // Components from 0 to 1.
 };
 
-/// Colours that stay apart for the colour-blind (Okabe and Ito 2008) and on grey paper.
+/// Colours that the colour-blind can tell apart (Okabe and Ito 2008), also on grey paper.
 namespace colour {
 inline constexpr Colour paper{1.0, 1.0, 1.0};
 inline constexpr Colour ink{0.13, 0.15, 0.18};
@@ -52,12 +52,12 @@ inline constexpr Colour goal{0.70, 0.30, 0.55};
 
 void set_colour(cairo_t* cairo, const Colour& colour, double alpha);
 
-/// The bytes of a page that `paint` fills, `width` pixels or points wide.
-/// Throws InputError if a text was not UTF-8 and std::runtime_error when Cairo gives up.
+/// Bytes of a page that `paint` fills, `width` pixels or points wide. Throws InputError if a text
+/// is not UTF-8, and std::runtime_error if Cairo fails.
 [[nodiscard]] std::string render(PictureFormat format, int width, const Size& page,
                                  const std::function<void(cairo_t*)>& paint);
 
-/// An image as PNG. Throws as `render` does.
+/// Bytes of an image as PNG. Throws as `render` does.
 [[nodiscard]] std::string png_of(cairo_surface_t* image);
 
 enum class Align { left, centre, right };
@@ -69,11 +69,11 @@ struct TextStyle {
   bool bold = false;
 };
 
-/// Words on one base line at (x, y).
+/// Writes a text on a base line at (x, y).
 void write_text(cairo_t* cairo, const std::string& text, double x, double y,
                 const TextStyle& style);
 
-/// How wide the words are [page units].
+/// Width of a text [page units].
 [[nodiscard]] double text_width(cairo_t* cairo, const std::string& text, const TextStyle& style);
 
 }  // namespace vandplan::drawing

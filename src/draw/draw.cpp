@@ -26,7 +26,7 @@ struct Caption {
   double size;
 };
 
-// Shrinks words that are too long for the width.
+// Writes a caption, smaller if it is too long for the width.
 void paint_caption(cairo_t* cairo, const Caption& caption, const Point& at, double width) {
   TextStyle style{.size = caption.size, .bold = true};
   const double needed = text_width(cairo, caption.text, style);
@@ -79,8 +79,8 @@ std::string draw(const ContactSheet& sheet, PictureFormat format, int width) {
   require_width(width);
   if (sheet.columns < 1) throw InputError("columns", "must be at least 1");
   constexpr Size cell{240.0, 208.0};
-  constexpr Box plot{6.0, 24.0, 228.0, 178.0};  // in its cell
-  constexpr double below = 34.0;                // legend
+  constexpr Box plot{6.0, 24.0, 228.0, 178.0};  // Plot within its cell.
+  constexpr double below = 34.0;                // Height of the legend.
   const double top = sheet.caption.empty() ? 2.0 : 40.0;
   const auto columns = static_cast<std::size_t>(sheet.columns);
   const std::size_t rows = (sheet.drawings.size() + columns - 1) / columns;

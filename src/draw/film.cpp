@@ -18,9 +18,9 @@
 namespace vandplan::drawing {
 namespace {
 
-constexpr double frame_time = 0.1;  // between poses, in between it is even [s]
+constexpr double frame_time = 0.1;  // Time between poses; motion between them is uniform [s].
 constexpr double most_frames = 3000;
-constexpr double rest_time = 1.5;  // at the end [s]
+constexpr double rest_time = 1.5;  // Pause at the end [s].
 
 std::string written(const char* format, auto... values) {
   std::array<char, 240> buffer;
@@ -33,21 +33,21 @@ std::string colour_of(const Colour& colour) {
   return written("rgb(%d,%d,%d)", byte(colour.red), byte(colour.green), byte(colour.blue));
 }
 
-/// Something that moves: its outline, and where it is at each frame; none once it is gone.
+/// Moving object: its outline, and its pose in each frame, empty once it has left.
 struct Actor {
   Polygon outline;
   Colour colour;
   std::vector<std::optional<Pose>> poses;
 };
 
-/// The values of one animation, `duration` seconds long.
+/// SVG animation of one attribute, `duration` seconds long.
 std::string animation(const char* type, const std::string& values, double duration) {
   return written("<animateTransform attributeName=\"transform\" type=\"%s\" dur=\"%.3fs\" ", type,
                  duration) +
          "repeatCount=\"indefinite\" values=\"" + values + "\"/>";
 }
 
-/// What shows an actor and moves it. Metres, y upwards.
+/// SVG of an actor with its animation, in metres, y upwards.
 std::string scene_of_actor(const Actor& actor, double duration) {
   std::string places;
   std::string turns;
@@ -78,7 +78,7 @@ std::string scene_of_actor(const Actor& actor, double duration) {
   return text + "</g>\n";
 }
 
-/// Angle between the vehicle and its trailer after `s` metres of the path [rad].
+/// Hitch angle after `s` metres of the path [rad].
 double hitch_angle_at(const Scenario& scenario, const Path& path, double s) {
   double angle = scenario.hitch_angles.start;
   for (const Segment& segment : path.segments) {
@@ -90,7 +90,7 @@ double hitch_angle_at(const Scenario& scenario, const Path& path, double s) {
   return angle;
 }
 
-/// All who play, the vehicle last.
+/// All moving objects, the vehicle last.
 std::vector<Actor> actors_of(const Film& film, double step, double count) {
   const Drawing& drawing = film.drawing;
   const Scenario& scenario = *drawing.scenario;

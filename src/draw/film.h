@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How does a picture play?
+// How is a picture animated?
 
 #include <string>
 
@@ -11,16 +11,16 @@
 
 namespace vandplan::drawing {
 
-/// What plays over a picture.
+/// Animation over a picture.
 struct Film {
-  const Drawing& drawing;  ///< with a path and its times
+  const Drawing& drawing;  ///< Drawing with a path and its times.
   const Scene& scene;
   const View& view;
-  double scale = 1.0;  ///< points per page unit
+  double scale = 1.0;  ///< Scale of the picture [points per page unit].
 };
 
-/// The SVG with the vehicle and all that moves over it, again and again; at the foot of the plot a
-/// bar grows with the time. Browsers play it without a script.
+/// The SVG with an endless animation of the vehicle and the moving obstacles. A bar at the foot of
+/// the plot grows with time. Browsers play it without a script.
 [[nodiscard]] std::string played(const std::string& svg, const Film& film);
 
 }  // namespace vandplan::drawing

@@ -15,7 +15,7 @@ namespace {
 
 constexpr TextStyle legend_style{.size = 11.0, .colour = colour::ink};
 
-// "4 517 230 000": digits in threes, as in SI.
+// Whole number with digits grouped in threes, as in SI: "4 517 230 000".
 std::string grouped(double value) {
   std::string digits = number(std::abs(value), 1.0);
   for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, " ");
@@ -24,7 +24,7 @@ std::string grouped(double value) {
 
 double axis_step(const View& view) { return tick_step(view.scale, 85.0); }
 
-// A bar that ends at (right, y), its length in metres before it.
+// Draws a bar that ends at `right_end`, with its length in metres before it.
 void paint_scale_bar(cairo_t* cairo, double metres, double scale, const Point& right_end) {
   const auto [right, y] = right_end;
   const double left = right - metres * scale;
@@ -38,7 +38,7 @@ void paint_scale_bar(cairo_t* cairo, double metres, double scale, const Point& r
              {.size = 10.5, .align = Align::right});
 }
 
-// A word on paper whose lower left corner is given.
+// Writes a word on a patch of paper. `corner`: its lower left corner.
 void paint_label(cairo_t* cairo, const std::string& word, const Point& corner) {
   constexpr double height = 16.0;
   cairo_rectangle(cairo, corner.x, corner.y - height, text_width(cairo, word, tick_style) + 12,
@@ -48,7 +48,7 @@ void paint_label(cairo_t* cairo, const std::string& word, const Point& corner) {
   write_text(cairo, word, corner.x + 6, corner.y - 4, tick_style);
 }
 
-// One line of the legend: a sample of what is drawn and a word for it.
+// Entry of the legend: a sample of what is drawn, and a word.
 struct Entry {
   enum class Sample { vehicle, line, marker, area };
   const char* word;
@@ -123,9 +123,9 @@ Layout layout_of(const Scene& scene, bool has_caption) {
   constexpr double page_width = 900.0;
   constexpr double left = 58.0;
   constexpr double plot_width = page_width - left - 18.0;
-  constexpr double titled = 42.0;  // below a plot: ticks and title
+  constexpr double titled = 42.0;  // Space below a plot for ticks and title.
   constexpr double legend_height = 34.0;
-  constexpr double gap = 14.0;  // above the strip
+  constexpr double gap = 14.0;  // Space above the strip.
   constexpr double strip_height = 84.0;
   const double top = has_caption ? 38.0 : 14.0;
   const auto [seen, is_cropped] = framed(scene);
@@ -261,7 +261,7 @@ void LegendContent::add(const Scene& scene, const View& view) noexcept {
 }
 
 void paint_legend(cairo_t* cairo, const LegendContent& content, const Box& place) {
-  constexpr double space = 22.0;  // between entries
+  constexpr double space = 22.0;  // Space between entries.
   const std::vector<Entry> entries = entries_of(content);
   double total = -space;
   for (const Entry& entry : entries) total += entry_width(cairo, entry) + space;

@@ -18,7 +18,8 @@
 namespace vandplan::drawing {
 namespace {
 
-// Cairo's coordinates are 24-bit fixed-point: what lies far outside is drawn at the edge of that.
+// Limit for coordinates [page units]: Cairo's are 24-bit fixed-point, so points beyond are moved to
+// it.
 constexpr double far_outside = 2e5;
 
 void add_corner(cairo_t* cairo, const View& view, const Point& corner) {
@@ -44,7 +45,7 @@ void stroke(cairo_t* cairo, double width, const Colour& colour, double alpha) {
   cairo_stroke(cairo);
 }
 
-// The ground, and what of it the rear axle must not touch.
+// Paints the ground and the bounds of the rear axle.
 void paint_bounds(cairo_t* cairo, const Scene& scene, const View& view) {
   const Bounds& b = scene.bounds;
   const Point box[] = {
@@ -67,11 +68,11 @@ void paint_polygons(cairo_t* cairo, const std::vector<Polygon>& polygons, const 
     add_polygon(cairo, view, polygon);
     set_colour(cairo, colour, 1.0);
     cairo_fill_preserve(cairo);
-    stroke(cairo, 0.4, colour, 1.0);  // no hairline between neighbours
+    stroke(cairo, 0.4, colour, 1.0);  // Avoids hairlines between neighbours.
   }
 }
 
-// What moves: as it is at the start, and ever fainter where it goes.
+// Paints moving obstacles: at the start in full colour, later ever fainter.
 void paint_moving(cairo_t* cairo, const Scene& scene, const View& view) {
   for (const Shadow& shadow : scene.shadows) {
     add_polygon(cairo, view, shadow.outline);
@@ -87,11 +88,11 @@ double distance(const Bounds& box, const Point& point) {
   return std::hypot(dx, dy);
 }
 
-// Edges are the steering function's paths between parent and child.
+// Paints the tree. Its edges are the steering function's paths from parent to child.
 void paint_tree(cairo_t* cairo, const Scene& scene, const View& view) {
   const TreeSnapshot& tree = scene.tree;
   const double step = std::max(0.25, 4.0 / view.scale);
-  constexpr int edges_per_stroke = 250;  // few enough to be fast, many enough to be small
+  constexpr int edges_per_stroke = 250;  // Few enough to be fast, many enough for a small file.
   int count = 0;
   for (std::size_t i = 0; i < tree.poses.size(); ++i) {
     if (tree.parents[i] < 0) continue;
@@ -108,7 +109,8 @@ void paint_tree(cairo_t* cairo, const Scene& scene, const View& view) {
   stroke(cairo, 0.5, colour::tree, 1.0);
 }
 
-// Between two near poses: the convex hull of a body at both, by Andrew's monotone chain.
+// Area that a body sweeps between two near poses: the convex hull of both, by Andrew's monotone
+// chain.
 std::vector<Point> swept(const Polygon& body, const Pose& from, const Pose& to) {
   Polygon points = placed(body, from);
   std::ranges::copy(placed(body, to), std::back_inserter(points));
@@ -125,7 +127,7 @@ std::vector<Point> swept(const Polygon& body, const Pose& from, const Pose& to) 
       }
       hull.push_back(point);
     }
-    hull.pop_back();  // the other chain starts with it
+    hull.pop_back();  // The other chain starts with this point.
   };
   add_chain(points);
   std::ranges::reverse(points);
@@ -133,7 +135,7 @@ std::vector<Point> swept(const Polygon& body, const Pose& from, const Pose& to) 
   return hull;
 }
 
-// Metres between two poses whose footprints are joined to draw what is swept.
+// Distance of poses whose footprints are joined to the swept area [m].
 double fine_step(const Scene& scene) {
   return std::max(scene.vehicle.min_turning_radius / 8, length(scene.path->segments) / 5000);
 }
@@ -145,13 +147,13 @@ void add_swept(cairo_t* cairo, const View& view, const Polygon& body,
   }
 }
 
-// What the vehicle and its trailer sweep.
+// Adds the area that the vehicle and its trailer sweep.
 void add_swept(cairo_t* cairo, const View& view, const Bodies& bodies, const Stroke& part) {
   add_swept(cairo, view, bodies.vehicle, part.poses);
   add_swept(cairo, view, bodies.trailer, part.trailer);
 }
 
-// All that is within the margin of what the vehicle sweeps, as one translucent area.
+// Paints everything within the margin of the swept area, as one translucent area.
 void paint_margin(cairo_t* cairo, const Scene& scene, const View& view) {
   cairo_push_group(cairo);
   cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
@@ -166,8 +168,8 @@ void paint_margin(cairo_t* cairo, const Scene& scene, const View& view) {
   cairo_paint_with_alpha(cairo, 0.35);
 }
 
-// All that the vehicle sweeps, as one translucent area in the colour of the gear, and outlines of
-// the vehicle every so often.
+// Paints the swept area, translucent in the colour of the gear, and outlines of the vehicle at
+// intervals.
 void paint_sweep(cairo_t* cairo, const Scene& scene, const View& view) {
   const Bodies bodies = bodies_of(scene);
   const Footprint body = footprint(scene.vehicle);
@@ -245,7 +247,7 @@ void paint_gear_change(cairo_t* cairo, const Point& place) {
 
 namespace {
 
-// The vehicle with its trailer, if it has one.
+// Paints the vehicle, with its trailer if any.
 void paint_rig(cairo_t* cairo, const Scene& scene, const RigState& state, const Colour& colour,
                const View& view) {
   if (scene.vehicle.trailer) {
@@ -258,7 +260,7 @@ void paint_rig(cairo_t* cairo, const Scene& scene, const RigState& state, const 
   paint_vehicle(cairo, {body_outline(scene.vehicle), state.pose, colour}, view);
 }
 
-// Places as areas, poses as thin outlines.
+// Paints a goal set: places as areas, poses as thin outlines.
 void paint_goal_set(cairo_t* cairo, const Scene& scene, const View& view) {
   for (const Polygon& area : scene.goal_areas) {
     add_polygon(cairo, view, area);

@@ -11,22 +11,22 @@ namespace vandplan::drawing {
 /// Fills the plot of `view` with the scene, from the ground upwards.
 void paint_scene(cairo_t* cairo, const Scene& scene, const View& view);
 
-/// The cells of a map that are occupied or unknown.
+/// Paints the occupied and unknown cells of a map.
 void paint_map(cairo_t* cairo, const OccupancyGrid& grid, const View& view);
 
-/// A vehicle at rest.
+/// Vehicle at rest.
 struct ParkedVehicle {
-  Polygon body;  ///< in its own frame
+  Polygon body;  ///< Outline of the body in the vehicle's frame.
   Pose pose;
   Colour colour;
 };
 
-/// The outline, the rear-axle midpoint as a dot, and an arrow where the vehicle points.
+/// Paints the outline, a dot at the rear-axle midpoint, and an arrow in the vehicle's direction.
 void paint_vehicle(cairo_t* cairo, const ParkedVehicle& vehicle, const View& view);
 
 [[nodiscard]] const Colour& colour_of_gear(int direction);
 
-/// A gear change.
+/// Paints the mark of a gear change.
 void paint_gear_change(cairo_t* cairo, const Point& place);
 
 }  // namespace vandplan::drawing

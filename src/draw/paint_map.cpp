@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-// How is an occupancy map painted? As one image, turned and scaled onto the page.
+// How is an occupancy map painted? As one image, rotated and scaled to the page.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace vandplan::drawing {
 namespace {
 
-/// Which cells of a grid are seen: columns and rows from the first up to before the last.
+/// Visible cells of a grid: columns and rows from `begin` to `end` - 1.
 struct Part {
   std::int32_t x_begin, x_end, y_begin, y_end;
 };
@@ -39,7 +39,7 @@ std::uint32_t pixel_of(const Colour& colour) {
   return 0xFF000000U | byte(colour.red) << 16 | byte(colour.green) << 8 | byte(colour.blue);
 }
 
-/// Block times block cells share a pixel: it shows the worst of them.
+/// Fills the pixels of an image. Each pixel shows the worst of block * block cells.
 void fill(cairo_surface_t* image, const OccupancyGrid& grid, const Part& part, std::int32_t block) {
   const std::uint32_t occupied = pixel_of(colour::obstacle);
   const std::uint32_t unknown = pixel_of(colour::unknown);
@@ -63,7 +63,7 @@ void fill(cairo_surface_t* image, const OccupancyGrid& grid, const Part& part, s
 
 using SurfacePtr = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
 
-/// A broken one if there is no memory.
+/// Image of a part of a grid; in an error state if there is no memory.
 SurfacePtr image_of(const OccupancyGrid& grid, const Part& part, std::int32_t block) {
   const auto pixels = [&](std::int32_t begin, std::int32_t end) {
     return (end - begin + block - 1) / block;
@@ -81,7 +81,7 @@ SurfacePtr image_of(const OccupancyGrid& grid, const Part& part, std::int32_t bl
 void paint_map(cairo_t* cairo, const OccupancyGrid& grid, const View& view) {
   const Part part = seen_of(grid, view.visible);
   if (part.x_begin >= part.x_end || part.y_begin >= part.y_end) return;
-  constexpr double finest = 0.3;  // side of a pixel, at least [page units]
+  constexpr double finest = 0.3;  // Least side of a pixel [page units].
   const double cell = grid.resolution * view.scale;
   const auto block = static_cast<std::int32_t>(std::clamp(finest / cell, 1.0, 1e6));
   const SurfacePtr image = image_of(grid, part, block);
@@ -89,10 +89,11 @@ void paint_map(cairo_t* cairo, const OccupancyGrid& grid, const View& view) {
   cairo_save(cairo);
   cairo_translate(cairo, origin.x, origin.y);
   cairo_rotate(cairo, -grid.origin.heading);
-  cairo_scale(cairo, cell, -cell);  // rows count upwards
+  cairo_scale(cairo, cell, -cell);  // Rows count upwards.
   cairo_translate(cairo, part.x_begin, part.y_begin);
   cairo_scale(cairo, block, block);
-  cairo_set_source_surface(cairo, image.get(), 0.0, 0.0);  // a broken one tells when all is painted
+  // Cairo reports a broken image at the end.
+  cairo_set_source_surface(cairo, image.get(), 0.0, 0.0);
   cairo_pattern_set_filter(cairo_get_source(cairo), CAIRO_FILTER_NEAREST);
   cairo_paint(cairo);
   cairo_restore(cairo);

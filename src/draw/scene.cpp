@@ -14,14 +14,15 @@
 namespace vandplan::drawing {
 namespace {
 
-constexpr double most_around = 1.5;  // that is shown on each side, in extents of the path
-constexpr double most_fence = 1.5;   // extents of the scene that the bounds may add up to
+constexpr double most_around = 1.5;  // Surroundings shown on each side [extents of the path].
+// Largest extent of the scene with its bounds [extents of the scene].
+constexpr double most_fence = 1.5;
 
 void require_finite(double value, const char* where) {
   if (!std::isfinite(value)) throw InputError(where, "must be finite");
 }
 
-// Nothing is moved as long as its labels stay short.
+// Origin near a coordinate [m]; 0 as long as labels of the axes stay short.
 double origin_near(double coordinate) {
   constexpr double far = 1e5;
   return std::abs(coordinate) < far ? 0.0 : std::floor(coordinate / 1e3) * 1e3;
@@ -74,7 +75,7 @@ bool is_inside(const Bounds& box, const Bounds& around) { return common(box, aro
 
 double extent(const Bounds& box) { return std::max(box.x_max - box.x_min, box.y_max - box.y_min); }
 
-/// Where the axle may be that a region speaks of; empty if it is one place.
+/// Area where a region's axle may be; empty if it is one place.
 Polygon area_of(const GoalRegion& region) {
   if (!region.area.empty()) return region.area;
   const auto& [x_min, x_max] = region.x;
@@ -83,7 +84,7 @@ Polygon area_of(const GoalRegion& region) {
   return {{x_min, y_min}, {x_max, y_min}, {x_max, y_max}, {x_min, y_max}};
 }
 
-/// A few goals of a region, with headings all over its range.
+/// Some goals of a region, with headings spread over its range.
 std::vector<RigState> goals_of(const Vehicle& vehicle, const GoalRegion& region) {
   const auto& [least, most] = region.hitch_angle;
   RigState middle{some_pose(region), 0.5 * (least + most)};
@@ -103,7 +104,7 @@ std::vector<RigState> goals_of(const Vehicle& vehicle, const GoalRegion& region)
   return goals;
 }
 
-/// The box around all places where the vehicle is.
+/// Box around all places of the vehicle.
 Bounds surroundings_of_path(const Scene& scene) {
   const auto [vehicle, trailer] = bodies_of(scene);
   std::vector<Point> points;
@@ -132,7 +133,7 @@ Bounds surroundings_of_path(const Scene& scene) {
   return bounding_box(points);
 }
 
-/// What moves, at some times from 0 until it rests or leaves.
+/// Moving obstacles at some times, from 0 until they rest or leave.
 std::vector<Shadow> shadows_of(const std::vector<MovingObstacle>& moving, const Point& origin) {
   constexpr int steps = 8;
   std::vector<Shadow> shadows;
@@ -149,7 +150,7 @@ std::vector<Shadow> shadows_of(const std::vector<MovingObstacle>& moving, const 
   return shadows;
 }
 
-/// What stands in the scene, a map as its outline.
+/// Outlines of all objects in the scene; a map is one object.
 std::vector<Polygon> things_in(const Scene& scene) {
   std::vector<Polygon> things = scene.obstacles;
   things.insert(things.end(), scene.kerbs.begin(), scene.kerbs.end());
@@ -159,7 +160,7 @@ std::vector<Polygon> things_in(const Scene& scene) {
   return things;
 }
 
-/// Where the path of a scene ends.
+/// State at the end of a scene's path.
 RigState end_of(const Scene& scene) {
   RigState state{scene.path->start, scene.hitch_angles.start};
   for (const Segment& segment : scene.path->segments) {
@@ -170,7 +171,7 @@ RigState end_of(const Scene& scene) {
 
 }  // namespace
 
-/// The corners of what is hit; none of what the scenario has not.
+/// Corners of the object that is hit; empty if the scenario lacks it.
 std::vector<Polygon> outline_of(const Scenario& scenario, const Hit& hit) {
   if (has_index(hit.kind)) {
     const std::vector<Polygon>& all = hit.kind == HitKind::kerb     ? scenario.kerbs
@@ -289,7 +290,7 @@ Framing framed(const Scene& scene) {
       framing.seen = united(framing.seen, near);
     }
   }
-  // The fence of a yard is worth seeing; bounds that somebody made generous are not.
+  // The bounds of a yard are worth seeing, unlike bounds that were chosen generously.
   const Bounds fenced = united(framing.seen, scene.bounds);
   if (extent(fenced) <= most_fence * extent(framing.seen)) framing.seen = fenced;
   framing.seen = widened(framing.seen, 1.0 + 0.03 * extent(framing.seen));

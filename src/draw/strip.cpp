@@ -12,9 +12,9 @@
 namespace vandplan::drawing {
 namespace {
 
-constexpr double reach = 1.25;  // of the curvatures shown, in those of the tightest turn
+constexpr double reach = 1.25;  // Largest curvature shown [1 / min_turning_radius].
 
-/// Where a curvature after so many metres lies on the page.
+/// Position on the page of a curvature at a distance driven.
 class Axes {
  public:
   Axes(const Scene& scene, const Box& place)
@@ -27,7 +27,7 @@ class Axes {
   [[nodiscard]] double x_of(double s) const { return place_.x + s * scale(); }
   [[nodiscard]] double tightest() const { return 1 / radius_; }
   [[nodiscard]] double y_of(double curvature) const {
-    const double part = std::clamp(curvature * radius_ / reach, -2.0, 2.0);  // Cairo has limits
+    const double part = std::clamp(curvature * radius_ / reach, -2.0, 2.0);  // Limited for Cairo.
     return place_.y + place_.height * (1 - part) / 2;
   }
 
@@ -72,7 +72,7 @@ void paint_curve(cairo_t* cairo, int direction) {
 
 void paint_curvature(cairo_t* cairo, const Scene& scene, const Axes& axes, const Box& place) {
   double s = 0.0;
-  int gear = 0;  // of the line in the making
+  int gear = 0;  // Gear of the line being drawn; 0: none.
   for (const Segment& segment : scene.path->segments) {
     if (segment.length == 0.0) continue;
     const int direction = segment.length > 0.0 ? 1 : -1;

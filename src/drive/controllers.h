@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How far are the wheels to be turned, and how hard to accelerate, to stay on a stroke?
+// Which steering angle and acceleration keep a vehicle on a stroke?
 //
 // Sources and derivations: docs/algorithms/drive.md.
 
@@ -14,33 +14,34 @@
 
 namespace vandplan::driving {
 
-/// What a controller sees.
+/// Input of a controller: stroke, vehicle, and its state beside the stroke.
 struct Sight {
   const Stroke& stroke;
   const Vehicle& vehicle;
   const State& state;
-  Offset offset;        ///< of the state's pose from the stroke
-  double behind = 0.0;  ///< so far before the stroke the vehicle began to drive it [m]; >= 0
-  const Towing* towing = nullptr;  ///< of the trailer, if there is one
+  Offset offset;  ///< offset of the state's pose from the stroke
+  /// Distance before the stroke at which the vehicle began to drive it [m]; >= 0.
+  double behind = 0.0;
+  const Towing* towing = nullptr;  ///< trailer along the stroke; null without a trailer
 };
 
-/// A way to steer: the angle that the wheels are to have at the end of the control period [rad].
+/// Steering law: the wanted steering angle at the end of the control period [rad].
 struct Controller {
   ControllerInfo info;
   double (*steering_angle)(const Sight& sight) noexcept;
 };
 
-/// The one with that name. Throws InputError naming "controller".
+/// Controller with the given name. Throws InputError naming "controller" if there is none.
 [[nodiscard]] const Controller& controller_named(std::string_view name);
 
-/// The distance within which errors are to fade [m].
+/// Distance within which errors shall fade [m].
 [[nodiscard]] inline double fading_distance(const Vehicle& vehicle) noexcept {
   return vehicle.wheelbase / 2;
 }
 
-/// The acceleration that brings the vehicle to the planned speed of the place where it will be at
-/// the end of the control period, and to stand exactly at the end of the stroke; less where the
-/// wheels are far from where they are wanted [m/s^2].
+/// Acceleration that reaches the planned speed of the place at the end of the control period
+/// [m/s^2]. The vehicle comes to stand exactly at the end of the stroke. It drives slower while the
+/// wheels are far from the wanted steering angle [rad].
 [[nodiscard]] double acceleration(const Sight& sight, double wanted_steering) noexcept;
 
 }  // namespace vandplan::driving

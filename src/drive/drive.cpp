@@ -20,9 +20,10 @@ namespace {
 
 using namespace driving;
 
-constexpr double turned_enough = 1e-4;   // of the wheels, to start a stroke [rad]
-constexpr double arrived_enough = 5e-3;  // standing so near to the end of a stroke is arriving [m]
-constexpr double correction = 0.1;       // share of a measurement that goes into the estimate
+// Largest error of the steering angle when a stroke begins [rad].
+constexpr double turned_enough = 1e-4;
+constexpr double arrived_enough = 5e-3;  // largest distance from the end of a stroke on arrival [m]
+constexpr double correction = 0.1;       // weight of a measurement in the estimate of the state
 
 const Controller& checked_controller(const DriveOptions& options, const Path& path,
                                      const Vehicle& vehicle) {
@@ -46,7 +47,8 @@ const Controller& checked_controller(const DriveOptions& options, const Path& pa
                                      " m in reverse");
 }
 
-/// A little more than the vehicle can is rounding: its wheels turn as far as they do.
+/// Throws if the path is sharper than the vehicle can drive. A relative excess of 1e-3 counts as
+/// rounding: the wheels then turn as far as they can.
 void expect_drivable(const Path& path, const Vehicle& vehicle) {
   const double most = (1 + 1e-3) / vehicle.min_turning_radius;
   for (std::size_t i = 0; i < path.segments.size(); ++i) {
@@ -60,7 +62,7 @@ void expect_drivable(const Path& path, const Vehicle& vehicle) {
   }
 }
 
-/// The vehicle as its wheels can really be turned.
+/// Vehicle whose wheels turn further than the plan needs, by the share `spare` of curvature.
 Vehicle with_spare(Vehicle vehicle, double spare) {
   vehicle.min_turning_radius /= 1 + spare;
   return vehicle;
@@ -71,7 +73,7 @@ Polygon corners_of(const Footprint& footprint) {
   return {rectangle.begin(), rectangle.end()};
 }
 
-/// Sums of what a drive does wrong.
+/// Statistics of the errors of a drive.
 class Errors {
  public:
   explicit Errors(const Vehicle& vehicle)
@@ -81,7 +83,7 @@ class Errors {
     if (vehicle.trailer) trailer_ = body_outline(*vehicle.trailer);
   }
 
-  /// Adds a pose at the end of `way` driven metres.
+  /// Adds the errors at a pose that is reached after `way` driven metres.
   void add(const Stroke& stroke, const Offset& offset, const Pose& pose, double way) {
     const double lateral = std::abs(offset.lateral);
     const double heading = std::abs(offset.heading);
@@ -96,7 +98,7 @@ class Errors {
     outline_ = std::max({outline_, deviation_of(body_, beside), deviation_of(wheels_, beside)});
   }
 
-  /// Adds where the trailer is when it should be where `planned` has it.
+  /// Adds the errors of the trailer at `state`, which should be at `planned`.
   void add_trailer(const RigState& planned, const RigState& state, double way) {
     const Pose beside = relative(trailer_pose(vehicle_, planned), trailer_pose(vehicle_, state));
     outline_ = std::max(outline_, deviation_of(trailer_, beside));
@@ -133,7 +135,7 @@ class Errors {
   double way_ = 0.0;
 };
 
-/// One drive, in the frame of the world.
+/// Simulation of a drive, in the world's frame.
 class Drive {
  public:
   Drive(const Problem& problem, const Path& path, const DriveOptions& options)
@@ -176,7 +178,7 @@ class Drive {
   [[nodiscard]] bool has_ended() const;
   void finish();
 
-  /// The state of the plan after so many metres of the stroke that is driven.
+  /// Planned state after `s` metres of the stroke that is executed.
   [[nodiscard]] RigState planned(double s) const {
     const Stroke& stroke = strokes_[real_stroke_];
     const double there = std::clamp(s, 0.0, stroke.length());
@@ -185,7 +187,7 @@ class Drive {
   [[nodiscard]] Pose in_scenario(const Pose& pose) const {
     return {pose.x + origin_.x, pose.y + origin_.y, pose.heading};
   }
-  /// Beside which the vehicle is [m].
+  /// Place of the path beside the vehicle [m].
   [[nodiscard]] double place_on_path() const {
     const Stroke& stroke = strokes_[real_stroke_];
     return stroke.begin() + std::clamp(offset_.place.s, 0.0, stroke.length());
@@ -200,25 +202,25 @@ class Drive {
   Watch watch_;
   Errors errors_;
   std::vector<Stroke> strokes_;
-  std::vector<Towing> towing_;     // for each stroke, if there is a trailer
-  std::deque<Command> under_way_;  // that are decided, and not yet executed
+  std::vector<Towing> towing_;     // trailer along each stroke; empty without a trailer
+  std::deque<Command> under_way_;  // commands that are decided, but not yet executed
 
-  State state_;    // with pose and hitch angle that the vehicle believes to have
-  RigState real_;  // the true ones
+  State state_;    // state with estimated pose and hitch angle
+  RigState real_;  // true pose and hitch angle
   double t_ = 0.0;
 
-  std::size_t stroke_ = 0;  // that is decided about
-  double guess_ = 0.0;      // where the decisions are on it [m]
-  double behind_ = 0.0;     // so far before it the vehicle stood [m]
+  std::size_t stroke_ = 0;  // index of the stroke for which commands are decided
+  double guess_ = 0.0;      // place on that stroke for which a command was last decided [m]
+  double behind_ = 0.0;     // distance before that stroke at which the vehicle stood [m]
   bool is_driving_ = false;
   bool is_done_ = false;
 
-  std::size_t real_stroke_ = 0;  // that is executed
-  Offset offset_;                // of the true pose from it
+  std::size_t real_stroke_ = 0;  // index of the stroke that is executed
+  Offset offset_;                // offset of the true pose from the executed stroke
   DriveResult result_;
 };
 
-/// The trailer along all strokes.
+/// Computes the planned hitch angles along all strokes.
 void Drive::tow() {
   double hitch_angle = real_.hitch_angle;
   for (const Stroke& stroke : strokes_) {
@@ -227,14 +229,14 @@ void Drive::tow() {
   }
 }
 
-/// What to do next: as things will be when that takes effect.
+/// Next command, for the predicted state at the time when the command takes effect.
 Command Drive::decide() {
   State state = state_;
   for (const Command& command : under_way_) state = after_period(state, command, vehicle_);
   while (!is_done_) {
     const Stroke& stroke = strokes_[stroke_];
     const double first = steering_angle(vehicle_, stroke.first_curvature());
-    // 1. Before a stroke: stand until the wheels are turned.
+    // 1. Before a stroke the vehicle stands until its wheels are turned.
     if (!is_driving_) {
       const double most = largest_steering_angle(vehicle_);
       const double wanted = std::clamp(first, -most, most);
@@ -244,13 +246,13 @@ Command Drive::decide() {
       is_driving_ = true;
       guess_ = 0.0;
     }
-    // 2. On it: go on.
+    // 2. On the stroke the controller decides.
     const Offset offset = stroke.offset_of(state.pose, guess_);
     guess_ = offset.place.s;
     if (state.v == 0.0) behind_ = std::max(-guess_, 0.0);
     const double enough = std::min(arrived_enough, stroke.length() / 10);
     if (state.v > 0.0 || stroke.length() - guess_ > enough) return command_at(state, offset);
-    // 3. At its end: the next one.
+    // 3. At the end of the stroke the next one begins.
     is_done_ = stroke_ + 1 == strokes_.size();
     if (is_done_) break;
     is_driving_ = false;
@@ -291,7 +293,7 @@ void Drive::execute(const Command& command) {
   }
 }
 
-/// Where the vehicle believes to be goes a little towards where it is measured to be.
+/// Moves the estimated pose a little towards the measured pose.
 void Drive::correct_estimate() {
   if (options_.noise == 0.0) return;
   const Pose seen = measured(real_.pose, options_.noise, rng_);
@@ -313,7 +315,7 @@ void Drive::log(const Command& wanted) {
                          .s = place_on_path(),
                          .pose = in_scenario(real_.pose),
                          .direction = state_.direction,
-                         .v = state_.direction * state_.v + 0.0,  // no -0
+                         .v = state_.direction * state_.v + 0.0,  // adding 0 avoids -0
                          .steering_angle = state_.steering_angle,
                          .wanted_steering = wanted.steering_angle,
                          .wanted_acceleration = wanted.acceleration,
@@ -322,14 +324,14 @@ void Drive::log(const Command& wanted) {
                          .hitch_angle = hitch_angle});
 }
 
-/// Whether the vehicle stands and nothing is decided that would change that.
+/// Whether the vehicle stands at the end and no decided command accelerates it.
 bool Drive::has_ended() const {
   const auto drives = [](const Command& command) { return command.acceleration > 0.0; };
   return is_done_ && state_.v == 0.0 && std::ranges::none_of(under_way_, drives);
 }
 
 DriveResult Drive::run() {
-  // Whoever takes so long goes in circles.
+  // A drive that takes longer goes in circles.
   const double most = 3 * result_.planned_duration + 60 + options_.delay;
   if (auto what = watch_.look(real_, Segment{}, real_)) {
     result_.contact = Contact{0.0, 0.0, in_scenario(real_.pose), *std::move(what)};

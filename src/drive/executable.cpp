@@ -18,11 +18,13 @@ namespace {
 
 using namespace driving;
 
-constexpr double period = 1e-3;  // between two moments [s]
+constexpr double period = 1e-3;  // time between two samples of the drive [s]
 constexpr double most_moments = 1e6;
-constexpr double relaxed = 1 + 1e-3;                           // limits are
-constexpr double end_tolerance = 0.01;                         // [m]
-constexpr double end_turn_tolerance = std::numbers::pi / 180;  // [rad]
+constexpr double relaxed = 1 + 1e-3;  // factor of the vehicle's limits, for rounding
+// Largest distance between the driven and the planned end [m].
+constexpr double end_tolerance = 0.01;
+// Largest error of the heading at the end [rad].
+constexpr double end_turn_tolerance = std::numbers::pi / 180;
 
 template <class... Values>
 std::string text(const char* format, Values... values) {
@@ -31,7 +33,7 @@ std::string text(const char* format, Values... values) {
   return buffer.data();
 }
 
-/// The stops at which the curvature jumps, and no gear changes.
+/// Stops at which the curvature jumps and the gear stays.
 std::vector<Stop> jumps_of(const std::vector<Motion>& motions, const SpeedProfile& profile) {
   std::vector<Stop> jumps;
   for (const Stop& stop : profile.stops) {
@@ -44,7 +46,7 @@ std::vector<Stop> jumps_of(const std::vector<Motion>& motions, const SpeedProfil
   return jumps;
 }
 
-/// The sharpest turn beyond what the vehicle can.
+/// Text about the first curvature that the vehicle cannot drive; empty if there is none.
 std::string too_sharp(const Path& path, const Vehicle& vehicle) {
   for (const Segment& segment : path.segments) {
     for (const double driven : {0.0, std::abs(segment.length)}) {
@@ -57,7 +59,7 @@ std::string too_sharp(const Path& path, const Vehicle& vehicle) {
   return {};
 }
 
-/// Drives through the moments of a drive, but not through those that are left out.
+/// Simulates a drive through its samples. The pauses `left_out` are skipped.
 Execution executed(const Problem& problem, const Path& path, const std::vector<Motion>& motions,
                    const std::vector<Stop>& left_out) {
   const Vehicle& vehicle = problem.vehicle();
@@ -65,7 +67,7 @@ Execution executed(const Problem& problem, const Path& path, const std::vector<M
   Watch watch(problem);
   Execution result{.passes = true, .reason = too_sharp(path, vehicle)};
   RigState state{to_local(*problem.world(), path.start), problem.hitch_angles().start};
-  RigState wanted = state;  // at the end
+  RigState wanted = state;  // planned state at the end
   for (const Segment& segment : path.segments) wanted = moved_by(vehicle, wanted, segment);
   const auto look = [&](const Segment& arc, const RigState& to) {
     const auto what = watch.look(state, arc, to);
@@ -120,7 +122,7 @@ ExecutableCheck executable(const Problem& problem, const Path& path) {
   const Vehicle& vehicle = problem.vehicle();
   const SpeedProfile profile =
       speed_profile(path, vehicle, {.start_curvature = problem.curvatures().start});
-  // Drives of more than a quarter of an hour would not fit into memory.
+  // Longer drives have longer steps, to limit the memory.
   const double step = std::max(period, profile.duration / most_moments);
   const std::vector<Motion> motions = sampled(path, vehicle, profile, step);
   const std::vector<Stop> jumps = jumps_of(motions, profile);

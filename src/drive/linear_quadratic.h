@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which feedback costs least while errors grow linearly and cost their squares?
+// Which feedback minimizes a quadratic cost of errors with linear dynamics?
 
 #include <array>
 #include <cstddef>
@@ -49,7 +49,7 @@ double dot(const Vector<N>& a, const Vector<N>& b) {
   return sum;
 }
 
-/// A step after which the state x is `motion` x + `input` u, and which costs x' `price` x +
+/// Step of a linear system: the state x becomes `motion` x + `input` u. It costs x' `price` x +
 /// `effort` u^2.
 template <std::size_t N>
 struct LinearStep {
@@ -59,15 +59,15 @@ struct LinearStep {
   double effort = 0.0;
 };
 
-/// The input that costs least: u = -`gains` x.
+/// Optimal feedback: the input u = -`gains` x costs least.
 template <std::size_t N>
 struct Feedback {
   Vector<N> gains = {};
-  double weight = 0.0;    ///< what u^2 costs in all
-  Matrix<N> closed = {};  ///< the motion with that input
+  double weight = 0.0;    ///< weight of u^2 in the total cost
+  Matrix<N> closed = {};  ///< matrix of the closed loop: the state becomes `closed` x
 };
 
-/// If the state after the step costs x' `cost` x.
+/// Optimal feedback of a step, if the state x after the step costs x' `cost` x.
 template <std::size_t N>
 Feedback<N> feedback(const LinearStep<N>& step, const Matrix<N>& cost) {
   const Vector<N> dear = product(cost, step.input);
@@ -80,7 +80,7 @@ Feedback<N> feedback(const LinearStep<N>& step, const Matrix<N>& cost) {
   return result;
 }
 
-/// What the state before the step costs (Riccati's equation).
+/// Matrix of the optimal cost before the step, given that after it (Riccati's equation).
 template <std::size_t N>
 Matrix<N> cost_before(const LinearStep<N>& step, const Matrix<N>& cost) {
   const Matrix<N> closed = feedback(step, cost).closed;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How far is the outline of a vehicle beyond where it should be?
+// How far is a vehicle's outline outside of its planned outline?
 
 #include <algorithm>
 
@@ -11,8 +11,8 @@
 
 namespace vandplan::driving {
 
-/// How far the furthest point of a convex body is from the same body at the pose in whose frame
-/// `pose` is given [m]. The furthest one of a convex set is a corner.
+/// Largest distance of a point of a convex body at `pose` from the body at the origin [m]. A corner
+/// is furthest, as the distance from a convex set is a convex function.
 [[nodiscard]] inline double deviation_of(const Polygon& body, const Pose& pose) noexcept {
   const auto [sin, cos] = base::sin_cos(pose.heading);
   double most = 0.0;

@@ -27,12 +27,12 @@ Moved step(State& state, const Command& command, double steering_rate,
   const bool is_in_gear = state.direction == command.direction;
   const double a =
       is_in_gear ? std::clamp(command.acceleration, -braking, limits.max_acceleration) : -braking;
-  // 1. Along the way; a vehicle that brakes comes to stand and stays.
+  // 1. The distance. A vehicle that brakes comes to stand and stays.
   const double reached = state.v + a * step_duration;
   const double driven =
       reached >= 0.0 ? (state.v + reached) / 2 * step_duration : state.v * state.v / (-2 * a);
   state.v = std::max(reached, 0.0);
-  // 2. The wheels: meanwhile they have the angle of half-time.
+  // 2. The steering angle. The motion has the angle of half-time.
   const double turned = steering_rate * step_duration;
   const Moved moved{state.steering_angle + turned / 2, state.direction * driven};
   state.steering_angle += turned;
@@ -66,7 +66,7 @@ State after_period(State state, const Command& command, const Vehicle& vehicle) 
 }
 
 Vehicle with_reserve(Vehicle vehicle, double reserve) {
-  constexpr double least = 1e-3;  // that a limit may be
+  constexpr double least = 1e-3;  // least value of a limit [m/s^2, rad/s]
   const auto less = [&](double limit) { return std::max((1 - reserve) * limit, least); };
   DrivingLimits& limits = vehicle.limits;
   limits.max_braking = less(limits.max_braking.value_or(limits.max_acceleration));

@@ -1,77 +1,78 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How does a vehicle move that is told how to?
+// How does a vehicle move when it gets commands?
 //
-// Eq. 1 of the thesis, x' = v cos h, y' = v sin h, h' = v tan(phi) / wheelbase, with wheels, engine
-// and brakes that do no more than they can.
+// Eq. 1 of the thesis, x' = v cos h, y' = v sin h, h' = v tan(phi) / wheelbase, with limits of
+// steering, acceleration and braking.
 
 #include "vandplan/rig.h"
 
 namespace vandplan::driving {
 
-inline constexpr double control_period = 0.02;  ///< between two commands [s]
+inline constexpr double control_period = 0.02;  ///< time between two commands [s]
 inline constexpr int steps_per_period = 4;
-inline constexpr double step_duration = control_period / steps_per_period;  ///< [s]
+/// Duration of one simulation step [s].
+inline constexpr double step_duration = control_period / steps_per_period;
 
-/// A vehicle that moves. Its pose may be what it believes; all the rest it knows.
+/// State of a moving vehicle. Pose and hitch angle may be estimates; the rest is known exactly.
 struct State {
   Pose pose = {};
-  double hitch_angle = 0.0;     ///< of its trailer [rad]; it may be what it believes, too
-  double v = 0.0;               ///< as its wheels turn, in its gear [m/s]; >= 0
+  double hitch_angle = 0.0;     ///< hitch angle of the trailer [rad]
+  double v = 0.0;               ///< speed in the current gear, as the wheels roll [m/s]; >= 0
   int direction = 1;            ///< gear: 1 forward, -1 reverse
-  double steering_angle = 0.0;  ///< as the steering says [rad]
+  double steering_angle = 0.0;  ///< steering angle without actuator error [rad]
 };
 
-/// What the vehicle is asked to do for one control period. It never does more than its limits say.
+/// Command for one control period. The vehicle keeps its limits whatever the command asks for.
 struct Command {
-  double steering_angle = 0.0;  ///< to be reached at the end of the period [rad]
-  double acceleration = 0.0;    ///< in its gear [m/s^2]
-  int direction = 1;            ///< the gear, which changes at standstill only; it brakes for that
-  std::size_t stroke = 0;       ///< of the path, to which this belongs
+  double steering_angle = 0.0;  ///< steering angle at the end of the period [rad]
+  double acceleration = 0.0;    ///< acceleration in the gear of the command [m/s^2]
+  int direction = 1;            ///< gear; it changes at standstill, so the vehicle brakes before
+  std::size_t stroke = 0;       ///< index of the path's stroke that the command belongs to
 };
 
-/// How much the motion differs from what the vehicle knows of it.
+/// Errors of the actuators, which the vehicle does not know.
 struct ActuatorError {
-  double steering_offset = 0.0;  ///< [rad]
-  double steering_share = 0.0;   ///< of the angle
-  double speed_share = 0.0;      ///< of the speed
+  double steering_offset = 0.0;  ///< constant error of the steering angle [rad]
+  double steering_share = 0.0;   ///< relative error of the steering angle
+  double speed_share = 0.0;      ///< relative error of the speed
 };
 
-/// The wheels' angle that the vehicle never exceeds [rad].
+/// Largest steering angle of the vehicle [rad].
 [[nodiscard]] double largest_steering_angle(const Vehicle& vehicle) noexcept;
 
-/// The vehicle whose limits planned speeds keep: a share of steering rate, acceleration and braking
-/// is left for corrections.
+/// Vehicle with reduced limits for planned speeds: the share `reserve` of steering rate,
+/// acceleration and braking is left for corrections.
 [[nodiscard]] Vehicle with_reserve(Vehicle vehicle, double reserve);
 
-/// How fast the wheels turn to do what a command asks for within a period, at most as fast as they
-/// can [rad/s].
+/// Steering rate that reaches the angle of a command within a period, clamped to the limit [rad/s].
 [[nodiscard]] double steering_rate(const State& state, const Command& command,
                                    const Vehicle& vehicle) noexcept;
 
-/// What is driven in a moment.
+/// Motion during one simulation step.
 struct Moved {
-  double steering_angle = 0.0;  ///< meanwhile, as the steering says [rad]
-  double length = 0.0;          ///< as the wheels turn; negative in reverse; 0 at standstill [m]
+  /// Mean steering angle during the step, without actuator error [rad].
+  double steering_angle = 0.0;
+  double length = 0.0;  ///< rolled distance; negative in reverse, 0 at standstill [m]
 };
 
-/// Moves on by `step_duration`: speed, gear and steering angle, not the pose.
+/// Advances speed, gear and steering angle of `state` by `step_duration`; the pose stays.
 [[nodiscard]] Moved step(State& state, const Command& command, double steering_rate,
                          const Vehicle& vehicle) noexcept;
 
-/// The arc that is really driven.
+/// Arc of a motion with actuator errors.
 [[nodiscard]] Segment arc_of(const Moved& moved, const Vehicle& vehicle,
                              const ActuatorError& error = {}) noexcept;
 
-/// Where a vehicle gets by an arc, and its trailer if it has one.
+/// State of vehicle and trailer after an arc; the hitch angle is 0 without a trailer.
 [[nodiscard]] RigState moved_by(const Vehicle& vehicle, const RigState& from,
                                 const Segment& arc) noexcept;
 
-/// Moves the vehicle along the arc that it believes to drive.
+/// Advances pose and hitch angle of `state` by a motion without actuator errors.
 void move_on(State& state, const Moved& moved, const Vehicle& vehicle) noexcept;
 
-/// The state after one control period, if the vehicle moves as it believes.
+/// State after one control period without actuator errors.
 [[nodiscard]] State after_period(State state, const Command& command,
                                  const Vehicle& vehicle) noexcept;
 

@@ -10,11 +10,11 @@
 namespace vandplan::driving {
 namespace {
 
-/// How far apart the samples of a clothoid are [m]: an arc that takes its place for so long is off
-/// by rate * spacing^3 / 12, some micrometres.
+/// Distance between samples of a clothoid [m]. An arc between two samples has an error of rate *
+/// spacing^3 / 12, which is some micrometres.
 double spacing_of(double rate) { return 0.05 * std::sqrt(std::sqrt(0.1 / std::abs(rate))); }
 
-/// Where a knot's stretch has the place `s`: how long after the knot [s].
+/// Time after a knot at which the drive is at place `s` [s].
 double time_at(const SpeedKnot& knot, double duration, double s) {
   double low = 0.0;
   double high = duration;
@@ -67,7 +67,7 @@ Place Stroke::at(double s) const noexcept {
 
 Offset Stroke::offset_of(const Pose& pose, double guess) const noexcept {
   constexpr int most_rounds = 10;
-  constexpr double enough = 1e-8;  // [m]
+  constexpr double enough = 1e-8;  // largest error of the nearest place [m]
   Offset offset;
   double s = guess;
   for (int i = 0; i < most_rounds; ++i) {
@@ -79,7 +79,7 @@ Offset Stroke::offset_of(const Pose& pose, double guess) const noexcept {
     offset.lateral = dy * cos - dx * sin;
     const double ahead = direction_ * (dx * cos + dy * sin);
     if (std::abs(ahead) <= enough) break;
-    // The place moves faster than the pose on the outside of a turn, slower on the inside.
+    // The nearest place moves faster than the pose inside of a turn, and slower outside.
     s += ahead / std::max(1 - offset.place.curvature * offset.lateral, 0.2);
   }
   offset.heading = wrap_angle(pose.heading - offset.place.pose.heading);
@@ -100,7 +100,7 @@ double Stroke::speed_at(double s) const noexcept {
 }
 
 std::vector<Stroke> strokes_of(const Path& path, const SpeedProfile& profile) {
-  constexpr double rounding = 1e-9;  // of a place [m]
+  constexpr double rounding = 1e-9;  // relative rounding error of a place
   std::vector<Stroke> strokes = {Stroke(path.start, 0.0)};
   auto stop = profile.stops.begin();
   double s = 0.0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Where should a vehicle be, and how fast, on its way from one stop to the next?
+// Which pose and speed should a vehicle have between two stops?
 
 #include <vector>
 
@@ -10,47 +10,47 @@
 
 namespace vandplan::driving {
 
-/// A place of a stroke.
+/// Place of a stroke.
 struct Place {
-  double s = 0.0;  ///< driven since the stroke began [m]
+  double s = 0.0;  ///< distance from the begin of the stroke [m]
   Pose pose = {};
-  double curvature = 0.0;  ///< [1/m]
+  double curvature = 0.0;  ///< curvature of the path at the place [1/m]
 };
 
-/// A pose seen from a stroke.
+/// Offset of a pose from a stroke.
 struct Offset {
-  Place place;           ///< beside which the pose is
-  double lateral = 0.0;  ///< the pose is so far left of it, seen forward [m]
-  double heading = 0.0;  ///< the pose is turned to the left by so much, in [-pi, pi) [rad]
+  Place place;           ///< place of the stroke beside the pose
+  double lateral = 0.0;  ///< distance of the pose to the left of the place, seen forward [m]
+  double heading = 0.0;  ///< heading of the pose less that of the place, in [-pi, pi) [rad]
 };
 
-/// A part of a path that is driven from standing to standing in one gear.
+/// Part of a path that is driven from standstill to standstill in one gear.
 class Stroke {
  public:
-  /// `s` is where it begins on its path [m].
+  /// Stroke without segments that begins at `start`, at `s` metres of its path.
   Stroke(const Pose& start, double s);
 
-  /// Adds what is driven next.
+  /// Appends a segment.
   void add(const Segment& segment);
-  /// Adds how it is driven from a knot on, for `duration` [s].
+  /// Appends a part of the speed profile: a knot that holds for `duration` [s].
   void add(const SpeedKnot& knot, double duration) { knots_.push_back({knot, duration}); }
 
   [[nodiscard]] int direction() const noexcept { return direction_; }
   [[nodiscard]] double length() const noexcept { return samples_.back().s; }
   [[nodiscard]] double begin() const noexcept { return begin_; }
   [[nodiscard]] const Pose& end() const noexcept { return end_; }
-  /// The curvature with which it begins [1/m].
+  /// Curvature at the begin of the stroke [1/m].
   [[nodiscard]] double first_curvature() const noexcept { return samples_.front().curvature; }
 
-  /// The place after `s` metres, within 0.01 mm; before and after it goes on as it begins and ends.
+  /// Place after `s` metres, with an error of at most 0.01 mm. Beyond its ends the stroke goes on
+  /// with the curvature of the end.
   [[nodiscard]] Place at(double s) const noexcept;
   [[nodiscard]] double curvature_at(double s) const noexcept;
 
-  /// How a pose lies beside the stroke: the place is the one next to it that is found from near
-  /// `guess` [m].
+  /// Offset of a pose from the stroke. The search for the nearest place begins at `guess` [m].
   [[nodiscard]] Offset offset_of(const Pose& pose, double guess) const noexcept;
 
-  /// The planned speed after `s` metres [m/s]; 0 from the end on.
+  /// Planned speed after `s` metres [m/s]; 0 from the end on.
   [[nodiscard]] double speed_at(double s) const noexcept;
 
  private:
@@ -58,22 +58,22 @@ class Stroke {
     double s;
     Pose pose;
     double curvature;
-    double rate;  // change of the curvature from here on, per metre
+    double rate;  // change of the curvature per driven metre after the sample [1/m^2]
   };
   struct Knot {
     SpeedKnot knot;
-    double duration;  // until the next one [s]
+    double duration;  // time until the next knot [s]
   };
   [[nodiscard]] const Sample& before(double s) const noexcept;
 
   double begin_;
   Pose end_;
   int direction_ = 1;
-  std::vector<Sample> samples_;  // of the stroke, the last one at its end
+  std::vector<Sample> samples_;  // samples of the path; the last one is at the end of the stroke
   std::vector<Knot> knots_;
 };
 
-/// The strokes of a path, in its frame. There is one at least, maybe without length.
+/// Strokes of a path, in the frame of the path. There is at least one, which may have length 0.
 [[nodiscard]] std::vector<Stroke> strokes_of(const Path& path, const SpeedProfile& profile);
 
 }  // namespace vandplan::driving

@@ -13,33 +13,33 @@
 namespace vandplan::driving {
 namespace {
 
-constexpr double longest_step = 0.1;  // [m]
-constexpr int steps_to_settle = 400;  // of Riccati's equation beyond the end of a stroke
+constexpr double longest_step = 0.1;  // largest length of a step [m]
+constexpr int steps_to_settle = 400;  // iterations of Riccati's equation beyond the end of a stroke
 
-// What a metre with errors costs, in units of the fading distance: the squares of how far both rear
-// axles are beside their places and of how far both bodies are turned, and `towing_effort` times
-// the square of the change of the curvature.
+// Cost of a metre with errors, in units of the fading distance. It sums the squared lateral errors
+// of both rear axles, the squared heading errors of both bodies, and `towing_effort` times the
+// squared change of curvature.
 constexpr double towing_effort = 2e-3;
-// In reverse the heading of the tractor counts so many times: it steers the trailer by swinging its
-// front, which touches things first.
+// Factor of the tractor's heading error in reverse. There the tractor swings its front to steer the
+// trailer, and the front touches obstacles first.
 constexpr double swing = 8.0;
 
-/// How errors grow in a step around a state of the plan, and what they cost.
+/// Linear dynamics of the errors in a step around a planned state, and their cost.
 LinearStep<4> step_around(const Vehicle& vehicle, double hitch_angle, double curvature,
                           int direction, double length) {
   const double hitch = vehicle.hitch;
   const double wheelbase = vehicle.trailer->wheelbase;
   const auto [sin, cos] = base::sin_cos(hitch_angle);
   LinearStep<4> step;
-  // 1. Per driven metre in gear g: e' = g h, h' = g k, and the change of the hitch angle,
-  // a' = g (k - (sin a + c k cos a) / l), differs by its derivatives.
+  // 1. Derivatives per driven metre in gear g: e' = g h, h' = g k. The derivative of the hitch
+  // angle, a' = g (k - (sin a + c k cos a) / l), is linearized.
   const double g = direction;
   Matrix<4> rate{};
   rate[0][1] = g;
   rate[1][3] = g;
   rate[2][2] = -g * (cos - hitch * curvature * sin) / wheelbase;
   rate[2][3] = g * (1 - hitch * cos / wheelbase);
-  // 2. Over the step: the first terms of the exponential.
+  // 2. Motion over the step: the first terms of the matrix exponential.
   Matrix<4> power = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
   double factor = 1.0;
   for (int n = 1; n <= 4; ++n) {
@@ -50,7 +50,7 @@ LinearStep<4> step_around(const Vehicle& vehicle, double hitch_angle, double cur
     power = product(rate, power);
     factor *= length / n;
   }
-  // 3. What it costs.
+  // 3. Cost of the step.
   const double a = fading_distance(vehicle);
   const RigError rows[] = {{1 / a, 0, 0, 0},
                            {0, direction < 0 ? swing : 1, 0, 0},

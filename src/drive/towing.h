@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How does a tractor steer so that its trailer stays where it should be, in reverse too?
+// How does a tractor steer so that its trailer follows its path, in reverse too?
 //
-// Derivation: docs/algorithms/drive.md.
+// Derivation: docs/lab/drive.md.
 
 #include <array>
 #include <vector>
@@ -13,27 +13,26 @@
 
 namespace vandplan::driving {
 
-/// How far a rig is from where it should be: to the left [m], turned to the left [rad], hitch angle
-/// too large [rad], curvature too large [1/m].
+/// Errors of a rig: lateral to the left [m], heading to the left [rad], hitch angle [rad],
+/// curvature [1/m]. Each is the real value less the planned one.
 using RigError = std::array<double, 4>;
 
-/// The trailer of a stroke: where it should be, and the steering that is linear-quadratic optimal
-/// around that.
+/// Planned hitch angles along a stroke, and linear-quadratic optimal feedback around them.
 class Towing {
  public:
-  /// The vehicle has a trailer, and outlives this; it begins the stroke with that hitch angle.
+  /// `vehicle` has a trailer and is kept by reference. The stroke begins with `hitch_angle` [rad].
   Towing(const Stroke& stroke, const Vehicle& vehicle, double hitch_angle);
 
-  /// As it should be after `s` metres [rad]; before and after the stroke as at its ends.
+  /// Planned hitch angle after `s` metres [rad]; beyond the stroke that of its end.
   [[nodiscard]] double hitch_angle_at(double s) const noexcept;
 
-  /// The change of the curvature per driven metre that takes an error away, after `s` metres
+  /// Feedback after `s` metres: the change of curvature per driven metre that reduces `error`
   /// [1/m^2].
   [[nodiscard]] double correction(double s, const RigError& error) const noexcept;
 
  private:
   struct Step {
-    Segment arc = {};  // to the next one
+    Segment arc = {};  // arc to the next step
     double hitch_angle = 0.0;
     RigError gains = {};
   };
@@ -41,7 +40,7 @@ class Towing {
 
   const Vehicle& vehicle_;
   int direction_;
-  double size_ = 0.0;  // of a step [m]
+  double size_ = 0.0;  // length of a step [m]
   std::vector<Step> steps_;
 };
 

@@ -11,17 +11,19 @@
 namespace vandplan::driving {
 namespace {
 
-/// What stands in a world, with bounds that nobody reaches: leaving them touches nothing.
+/// World with the same obstacles and bounds that no vehicle reaches: leaving the bounds is no
+/// contact.
 struct Unbounded {
   std::shared_ptr<const World> world;
 };
 
 std::shared_ptr<const World> unbounded(const World& world) {
   const auto make = [&]() -> std::shared_ptr<const void> {
-    constexpr double far = 1e6;  // worlds reach no further
+    constexpr double far = 1e6;  // half side of the bounds [m]; worlds reach no further
     Surroundings things = world.without_fences();
     things.bounds = {-far, far, -far, far};
-    // A polygon that has shrunk to a point or a line has as many corners as one needs.
+    // A polygon that has shrunk to a point or a line gets its last corner repeated, up to three
+    // corners.
     for (std::vector<Polygon>* polygons : {&things.obstacles, &things.kerbs}) {
       for (Polygon& polygon : *polygons) {
         while (polygon.size() < 3) polygon.push_back(polygon.back());
@@ -45,8 +47,8 @@ Watch::Watch(const Problem& problem, double spare)
     : world_(unbounded(*problem.world())),
       vehicle_(problem.vehicle()),
       bounds_(problem.world()->local().bounds) {
-  // The judge is asked about the footprint alone: whatever the wheels do, it is not too sharp, and
-  // how far a trailer may fold up is asked here.
+  // The judge shall check contacts alone. So any curvature is allowed, and the limit of the hitch
+  // angle is checked here.
   vehicle_.min_turning_radius = 1e-3;
   most_hitch_angle_ = vehicle_.max_hitch_angle * (1 + spare);
   vehicle_.max_hitch_angle = 3.14;
@@ -62,19 +64,19 @@ Watch::Watch(const Problem& problem, double spare)
   }
 }
 
-/// No point of the vehicle or its trailer moves further on an arc [m].
+/// Upper bound of the motion of any point of vehicle and trailer on an arc [m].
 double Watch::most_moved(const Segment& arc) const noexcept {
   const double way = std::abs(arc.length);
   const double bend = std::abs(arc.curvature);
   const double vehicle = way * (1 + reach_ * bend);
   if (!vehicle_.trailer) return vehicle;
-  // The hitch moves so far, and the trailer turns around it by no more than that over its length.
+  // The trailer turns around its hitch by at most the motion of the hitch over the wheelbase.
   const double hitch = way * (1 + std::abs(vehicle_.hitch) * bend);
   return std::max(vehicle, hitch * (1 + trailer_reach_ / vehicle_.trailer->wheelbase));
 }
 
 void Watch::look_at(const RigState& state) {
-  constexpr double further = 2.0;  // than the least clearance so far [m]
+  constexpr double further = 2.0;  // distance beyond the least clearance that is searched [m]
   const double most = std::isinf(least_) ? 1e3 : least_ + further;
   const double clearance = checker_->rig_clearance(Local(state), most);
   if (clearance < most) least_ = std::min(least_, clearance);
@@ -84,7 +86,7 @@ void Watch::look_at(const RigState& state) {
 
 std::optional<std::string> Watch::look(const RigState& from, const Segment& arc,
                                        const RigState& to) {
-  constexpr double rounding = 1e-6;  // of a hitch angle [rad]
+  constexpr double rounding = 1e-6;  // rounding error of a hitch angle [rad]
   outside_ = std::max(outside_, distance_outside(bounds_, to.pose));
   if (has_touched_) return std::nullopt;
   if (std::abs(to.hitch_angle) > most_hitch_angle_ + rounding) {
@@ -108,7 +110,7 @@ std::optional<std::string> Watch::look(const RigState& from, const Segment& arc,
   return std::nullopt;
 }
 
-/// The judge's word on one arc; empty if it finds nothing wrong.
+/// Reason why the judge rejects an arc; empty if it accepts it.
 std::string Watch::touched(const RigState& from, const Segment& arc, const RigState& to) const {
   const Path path{from.pose, {arc}};
   const Problem problem = make_problem(world_, vehicle_, from.pose, end_pose(path), {},

@@ -3,8 +3,8 @@
 #pragma once
 // What does a driven vehicle touch?
 //
-// All that is swept is looked at: the collision checker answers for what it accepts, the judge
-// decides about the rest.
+// The whole swept area is checked. The collision checker accepts arcs that are surely free. The
+// judge decides about all others.
 
 #include <limits>
 #include <memory>
@@ -17,20 +17,20 @@
 
 namespace vandplan::driving {
 
-/// Looks at a drive step by step, in the frame of the world.
+/// Checks a drive for contacts, step by step, in the world's frame.
 class Watch {
  public:
-  /// The rig may fold up further than `max_hitch_angle` by the share `spare`.
+  /// The hitch angle may exceed `max_hitch_angle` by the share `spare`.
   explicit Watch(const Problem& problem, double spare = 0.0);
 
-  /// Looks at an arc that is driven from `from` to `to`. What is touched, the first time that
-  /// something is: "the footprint hits obstacles[3]". A trailer that folds up beyond its limit
-  /// touches its tractor.
+  /// Checks an arc that is driven from `from` to `to`. Returns the contact if this is the first
+  /// one, such as "the footprint hits obstacles[3]". A hitch angle beyond its limit counts as a
+  /// contact.
   std::optional<std::string> look(const RigState& from, const Segment& arc, const RigState& to);
 
-  /// The least clearance at the poses so far, 0 after a contact; infinite without things [m].
+  /// Least clearance at the poses so far [m]; 0 after a contact, infinite without obstacles.
   [[nodiscard]] double clearance() const noexcept { return least_; }
-  /// How far the rear axle was outside of the bounds [m].
+  /// Largest distance of the rear axle outside of the bounds [m].
   [[nodiscard]] double out_of_bounds() const noexcept { return outside_; }
 
  private:
@@ -39,16 +39,18 @@ class Watch {
   [[nodiscard]] std::string touched(const RigState& from, const Segment& arc,
                                     const RigState& to) const;
 
-  std::shared_ptr<const World> world_;  // without bounds
+  std::shared_ptr<const World> world_;  // world with bounds that the vehicle cannot reach
   std::shared_ptr<const CollisionChecker> checker_;
   Vehicle vehicle_;
   Bounds bounds_;
   double most_hitch_angle_ = 0.0;
-  double reach_ = 0.0;          // of footprint and wheels [m]
-  double trailer_reach_ = 0.0;  // of the trailer from its hitch [m]
+  // Distance of the furthest point of footprint and wheels from the rear axle [m].
+  double reach_ = 0.0;
+  double trailer_reach_ = 0.0;  // distance of the furthest point of the trailer from its hitch [m]
   double least_ = std::numeric_limits<double>::infinity();
-  double free_ = 0.0;     // so far may any point of the vehicle move without touching [m]
-  double nothing_ = 0.0;  // and so far without being nearer than ever [m]
+  double free_ = 0.0;  // distance that any point of the vehicle may move without a contact [m]
+  // Distance that any point may move before the least clearance can decrease [m].
+  double nothing_ = 0.0;
   double outside_ = 0.0;
   bool has_touched_ = false;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// A rectangle of bits, and its runs of ones in a box.
+// How is a rectangle of bits kept, and which runs of ones does a box meet?
 
 #include <algorithm>
 #include <bit>
@@ -11,17 +11,17 @@
 
 namespace vandplan::geometry {
 
-/// A rectangle of cells: columns from `x_min` to `x_max`, rows likewise, both included.
+/// A rectangle of cells: columns `x_min` to `x_max` and rows `y_min` to `y_max`, ends included.
 struct CellBox {
   std::int32_t x_min, x_max, y_min, y_max;
 };
 
-/// The cells of a box and those up to so many beside it.
+/// The box with `by` more cells on each side.
 [[nodiscard]] inline CellBox widened(const CellBox& box, std::int32_t by) noexcept {
   return {box.x_min - by, box.x_max + by, box.y_min - by, box.y_max + by};
 }
 
-/// What two boxes share.
+/// The cells that two boxes share.
 [[nodiscard]] inline CellBox shared(const CellBox& a, const CellBox& b) noexcept {
   return {std::max(a.x_min, b.x_min), std::min(a.x_max, b.x_max), std::max(a.y_min, b.y_min),
           std::min(a.y_max, b.y_max)};
@@ -31,7 +31,7 @@ struct CellBox {
   return box.x_min > box.x_max || box.y_min > box.y_max;
 }
 
-/// Rows of bits in words of 64.
+/// A rectangle of bits, row by row in words of 64 bits.
 class BitGrid {
  public:
   BitGrid() = default;
@@ -44,7 +44,7 @@ class BitGrid {
 
   [[nodiscard]] std::int32_t columns() const noexcept { return columns_; }
   [[nodiscard]] std::int32_t rows() const noexcept { return rows_; }
-  [[nodiscard]] std::size_t words() const noexcept { return words_; }  ///< of a row
+  [[nodiscard]] std::size_t words() const noexcept { return words_; }  ///< words of a row
 
   /// The i-th word of a row; the lowest bit is the leftmost column.
   [[nodiscard]] std::uint64_t& word(std::size_t i, std::int32_t y) noexcept {
@@ -67,8 +67,8 @@ class BitGrid {
     word(column / 64, y) &= ~(std::uint64_t{1} << (column % 64));
   }
 
-  /// Calls `visit(y, x_begin, x_end)` for the runs of ones that meet a box, cut where words end,
-  /// until it returns true; says whether it did.
+  /// Calls `visit(y, x_begin, x_end)` for the runs of ones that meet a box, until a call returns
+  /// true. Returns whether one did. Runs are cut where words end, and do not include `x_end`.
   template <typename Visit>
   [[nodiscard]] bool any_run(CellBox box, Visit visit) const {
     box = {std::max(box.x_min, 0), std::min(box.x_max, columns_ - 1), std::max(box.y_min, 0),

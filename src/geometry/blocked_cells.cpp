@@ -47,13 +47,15 @@ void BlockedCells::update(const OccupancyGrid& grid, const CellBox& changed) {
   mark_edges(widened(changed, 1), !grid.unknown_is_free);
 }
 
-/// In the box, and in the words that it shares with others.
+/// Marks edge cells in the box, and beside it in the same words of bits.
 void BlockedCells::mark_edges(const CellBox& box, bool outside_is_blocked) {
   const std::uint64_t outside = outside_is_blocked ? ~std::uint64_t{0} : 0;
-  const auto tail = static_cast<std::uint32_t>(columns()) % 64;  // bits of the last word; 0: all
+  // Number of bits in the last word of a row; 0: all.
+  const auto tail = static_cast<std::uint32_t>(columns()) % 64;
   const std::uint64_t beyond = tail == 0 ? 0 : ~std::uint64_t{0} << tail;
   const std::size_t words = blocked_.words();
-  // A word of a row, what lies outside of the frame filled in; the one before the first wraps.
+  // A word of a row; bits outside of the frame are those of `outside`. The index before 0 wraps to
+  // a large number.
   const auto word = [&](std::size_t i, std::int32_t y) {
     if (y < 0 || y >= rows() || i >= words) return outside;
     return i + 1 == words ? blocked_.word(i, y) | (outside & beyond) : blocked_.word(i, y);

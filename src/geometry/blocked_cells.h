@@ -3,7 +3,8 @@
 #pragma once
 // Which cells of a grid are blocked, a bit each, and which of them can be hit first?
 //
-// Cells count from the lower left one of a frame, one cell wide, around the grid: what is outside.
+// Cells are counted in a frame: the grid and a border one cell wide, which stands for the ground
+// outside. Cell (0, 0) is the lower left cell of the border.
 
 #include <cstdint>
 
@@ -12,15 +13,15 @@
 
 namespace vandplan::geometry {
 
-/// Cells of a grid, in the frame.
+/// The cells of a range of a grid, counted in the frame.
 [[nodiscard]] CellBox in_frame(const CellRange& cells) noexcept;
 
-/// Bits of a frame and the grid in it.
+/// The blocked cells and the edge cells of a grid and its border, a bit each.
 class BlockedCells {
  public:
   explicit BlockedCells(const OccupancyGrid& grid);
 
-  /// The cells of the grid in a box have become others.
+  /// Reads those cells of the grid again that lie in the box `changed`, counted in the frame.
   void update(const OccupancyGrid& grid, const CellBox& changed);
 
   /// The number of columns, and of rows, with those of the frame.
@@ -30,8 +31,8 @@ class BlockedCells {
   /// The cells that are blocked.
   [[nodiscard]] const BitGrid& blocked() const noexcept { return blocked_; }
 
-  /// Edge cells are blocked and have a neighbour that is not: whatever comes from free ground hits
-  /// such a one first.
+  /// The edge cells: blocked cells with a neighbour that is not blocked. A body that comes from
+  /// free ground hits an edge cell first.
   [[nodiscard]] const BitGrid& edges() const noexcept { return edges_; }
 
   /// Whether a cell is blocked; false outside of the frame.
@@ -46,10 +47,11 @@ class BlockedCells {
   BitGrid edges_;
 };
 
-/// Whether a block of 2^shift times 2^shift cells holds one that is set.
+/// A bit for each block of 2^shift times 2^shift cells: whether one of its cells is set.
 [[nodiscard]] BitGrid blocks_of(const BitGrid& cells, int shift);
 
-/// The same again for the blocks of a box of cells; says whether one became another.
+/// Updates the bits that `blocks_of` gives for the blocks of the cells in `changed`. Returns
+/// whether a bit changed.
 bool update_blocks(const BitGrid& cells, int shift, const CellBox& changed, BitGrid& blocks);
 
 }  // namespace vandplan::geometry

@@ -11,7 +11,7 @@ namespace vandplan::geometry {
 namespace {
 
 /// Orders `items` so that every run of eight, of sixty-four and so on that begins at a multiple of
-/// its size is compact: halves them across their longer extent, at such multiples.
+/// its size is compact. Halves the items across their longer extent, at such multiples.
 void order(std::span<const Bounds> boxes, std::span<std::uint32_t> items) {
   constexpr std::size_t fan_out = box_fan_out;
   if (items.size() <= fan_out) return;
@@ -52,7 +52,7 @@ BoxTree::BoxTree(std::span<const Bounds> boxes) {
     std::vector<Block> blocks((level.size() + fan_out - 1) / fan_out);
     std::vector<Box> above(blocks.size(), Box{infinity, -infinity, infinity, -infinity});
     for (std::size_t i = 0; i < blocks.size() * fan_out; ++i) {
-      // What pads the last block overlaps nothing.
+      // Boxes that pad the last block overlap nothing.
       const Box box = i < level.size() ? level[i] : Box{infinity, -infinity, infinity, -infinity};
       Block& block = blocks[i / fan_out];
       Box& whole = above[i / fan_out];

@@ -3,8 +3,9 @@
 #pragma once
 // Which of many boxes overlap this one?
 //
-// A packed R-tree (Kamel and Faloutsos 1993): every block holds eight boxes side by side, a level
-// of blocks is the boxes of the next. No pointers; few boxes are one block, tested at once.
+// The tree is a packed R-tree (Kamel and Faloutsos 1993). Every block holds eight boxes side by
+// side. The boxes of a level are the bounding boxes of the blocks below it. There are no pointers,
+// and few boxes are one block, tested at once.
 
 #include <array>
 #include <cstdint>
@@ -15,20 +16,20 @@
 
 namespace vandplan::geometry {
 
-/// Boxes in a block.
+/// Number of boxes in a block.
 inline constexpr std::uint32_t box_fan_out = 8;
 
 /// An order of the boxes in which neighbours in the list are neighbours in the plane.
 [[nodiscard]] std::vector<std::uint32_t> spatial_order(std::span<const Bounds> boxes);
 
-/// Boxes in float, rounded outwards: never says that boxes are apart which are not.
+/// A tree of boxes in float, rounded outwards: it misses no overlap.
 class BoxTree {
  public:
   BoxTree() = default;
-  /// Works for boxes in any order, well for boxes in `spatial_order`.
+  /// The tree of boxes in any order; it is fast for boxes in `spatial_order`.
   explicit BoxTree(std::span<const Bounds> boxes);
 
-  /// Calls `visit(index)` for the boxes that overlap `query`, until a call returns true; says
+  /// Calls `visit(index)` for the boxes that overlap `query`, until a call returns true. Returns
   /// whether one did. Boxes that touch overlap. Allocates nothing.
   template <typename Visit>
   [[nodiscard]] bool any(const Bounds& query, Visit visit) const {
@@ -45,7 +46,7 @@ class BoxTree {
   struct alignas(32) Block {
     std::array<float, fan_out> x_min, x_max, y_min, y_max;
 
-    /// Bit i: box i overlaps. Written so that compilers turn the loop into vector code.
+    /// Bits of the boxes that overlap `box`: bit i for box i. Compilers vectorise the loop.
     [[nodiscard]] std::uint32_t overlapping(const Box& box) const {
       std::uint32_t bits = 0;
       for (std::uint32_t i = 0; i < fan_out; ++i) {
@@ -69,7 +70,7 @@ class BoxTree {
     return false;
   }
 
-  std::vector<std::vector<Block>> levels_;  // the first holds the boxes, the last is one block
+  std::vector<std::vector<Block>> levels_;  // first level: the boxes; last level: one block
 };
 
 }  // namespace vandplan::geometry

@@ -9,7 +9,7 @@
 namespace vandplan::geometry {
 namespace {
 
-/// Twice the area of the triangle, positive if the way from a over b to c turns left.
+/// Twice the area of the triangle a, b, c; positive if the way from a over b to c turns left.
 double cross(const Point& a, const Point& b, const Point& c) noexcept {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
@@ -52,8 +52,8 @@ double signed_distance(std::span<const Point> convex, const Point& point) noexce
 // then one is nearest at a corner of the other.
 double squared_distance(std::span<const Point> convex, const Point& a, const Point& b) noexcept {
   bool is_apart = false;
-  bool left = true;  // of the line through a and b
-  bool right = true;
+  bool left = true;   // all corners are left of the line through a and b
+  bool right = true;  // all corners are right of the line through a and b
   double least = std::numeric_limits<double>::infinity();
   Point from = convex.back();
   for (const Point& to : convex) {

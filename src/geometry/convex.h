@@ -21,7 +21,7 @@ namespace vandplan::geometry {
 [[nodiscard]] double squared_distance(std::span<const Point> convex, const Point& a,
                                       const Point& b) noexcept;
 
-/// Square of the distance of a point from the line between a and b [m^2].
+/// Square of the distance of a point from the side from a to b [m^2].
 [[nodiscard]] double squared_distance_to_side(const Point& point, const Point& a,
                                               const Point& b) noexcept;
 

@@ -11,11 +11,11 @@
 namespace vandplan::geometry {
 namespace {
 
-constexpr std::uint8_t far = CornerSquares::furthest;  // this far up and down, or further
+constexpr std::uint8_t far = CornerSquares::furthest;  // distance of this much or more
 constexpr std::uint16_t beyond = far * far;
 
-/// [1] How far up or down the nearest corner of a cell that is set is, for the corners in a box: of
-/// those in the box, or less.
+/// [1] Column distances of the corners in a box: how far up or down the nearest corner of a set
+/// cell is. Only corners in the box count.
 std::vector<std::uint8_t> column_distances(const BitGrid& cells, const CellBox& corners) {
   const auto columns = static_cast<std::size_t>(corners.x_max - corners.x_min) + 1;
   const auto rows = static_cast<std::size_t>(corners.y_max - corners.y_min) + 1;
@@ -44,23 +44,23 @@ std::vector<std::uint8_t> column_distances(const BitGrid& cells, const CellBox& 
   return distances;
 }
 
-/// The parabolas (x - centre)^2 + height that are the least somewhere, from left to right.
+/// The lower envelope of parabolas (x - centre)^2 + height, from left to right.
 struct Envelope {
   struct Parabola {
     std::int64_t centre, height;
-    std::int64_t begin;  // of where it is the least
+    std::int64_t begin;  // first x where it is the lowest
   };
   std::vector<Parabola> parts;
 
   void add(std::int64_t centre, std::int64_t height) {
     while (!parts.empty()) {
       const Parabola& last = parts.back();
-      // Where the new one gets below the last one: the first whole number from here on.
+      // The new parabola is below the last one for all whole x > above / twice.
       const std::int64_t above =
           (centre * centre - last.centre * last.centre) + height - last.height;
       const std::int64_t twice = 2 * (centre - last.centre);
       if (above >= last.begin * twice) {
-        // Most are side by side, and what is divided by a known 2 is shifted.
+        // Most centres are neighbours, and a division by a known 2 is a shift.
         parts.push_back({centre, height, (twice == 2 ? above / 2 : above / twice) + 1});
         return;
       }
@@ -70,11 +70,11 @@ struct Envelope {
   }
 };
 
-/// [2] The least of all parabolas over a row of column distances, taken where it is less. The
-/// squares begin `shift` places after these, or before if it is negative.
+/// [2] Lowers `squares` to the lower envelope of the parabolas over a row of column distances. The
+/// squares begin `shift` places after the distances, or before them if `shift` is negative.
 void lower_row(std::span<const std::uint8_t> distances, std::int64_t shift, Envelope& envelope,
                std::span<std::uint16_t> squares) {
-  // Places count from the leftmost one of both.
+  // Places are counted from the leftmost place of both rows.
   const std::int64_t first_source = std::max<std::int64_t>(-shift, 0);
   const std::int64_t first = first_source + shift;
   const std::int64_t last = first + std::ssize(squares);
@@ -101,7 +101,8 @@ void lower_row(std::span<const std::uint8_t> distances, std::int64_t shift, Enve
   }
 }
 
-/// The least of the corners of blocks of 2^shift times 2^shift cells, those on their sides, too.
+/// The least square of the corners of each block of 2^shift times 2^shift cells, corners on its
+/// sides included.
 std::vector<std::uint16_t> least_in_blocks(const CornerSquares& squares, const CellBox& blocks,
                                            int shift) {
   const std::int32_t side = std::int32_t{1} << shift;
@@ -123,8 +124,9 @@ std::vector<std::uint16_t> least_in_blocks(const CornerSquares& squares, const C
   return result;
 }
 
-/// The distance of the nearest point of a block [cells], whose corners are so far from blocked
-/// squares, in their sides, and from blocks with one, in theirs, both squared.
+/// Distance from the nearest point of a block to blocked cells [cells]. `near`: least square of its
+/// corners' distances from blocked squares [sides of a square]. `far_away`: least square of their
+/// distances from blocks with a blocked cell [sides of a block].
 double distance_of(std::uint16_t near, double side, std::uint16_t far_away, double block_side) {
   const double distance = side * std::sqrt(static_cast<double>(near));
   if (distance < side * DistanceField::furthest) return distance;
@@ -135,7 +137,7 @@ std::uint16_t in_parts(double distance) {
   return static_cast<std::uint16_t>(std::min(distance * DistanceField::parts, 65535.0));
 }
 
-/// The least whole number whose square is no less.
+/// The least whole number whose square is at least `square`.
 std::int32_t root_of(std::uint16_t square) {
   return static_cast<std::int32_t>(std::ceil(std::sqrt(static_cast<double>(square))));
 }
@@ -152,7 +154,7 @@ CornerSquares::CornerSquares(const BitGrid& cells)
   lower(cells, all);
 }
 
-/// Lowers the squares of corners of rows one below the other, by column distances.
+/// Lowers the squares in stretches of neighbouring rows, by column distances.
 void CornerSquares::lower(const BitGrid& cells, const std::vector<Stretch>& stretches) {
   CellBox box{columns_, -1, std::max(stretches.front().y - furthest, 0),
               std::min(stretches.back().y + furthest, rows_ - 1)};
@@ -173,17 +175,17 @@ void CornerSquares::lower(const BitGrid& cells, const std::vector<Stretch>& stre
   }
 }
 
-// What is nearer to something else than to all that has changed stays as it is. Beside what does
-// not stay is a corner that does: no corner beyond is further from its nearest cell than from that
-// of this one.
+// A corner that is nearer to another set cell than to every changed cell keeps its square. The
+// corner beside the stretch is one that does. Corners of the stretch find no nearer cell beyond the
+// nearest cell of that corner, so sources end there.
 CornerSquares::Stretch CornerSquares::affected(std::int32_t y, const CellBox& changed) const {
   const auto beside = [](std::int32_t place, std::int32_t low, std::int32_t high) {
     return std::max({low - place, place - high, 0});
   };
   const std::int32_t dy = beside(y, changed.y_min, changed.y_max + 1);
   const std::uint16_t* const row = from(0, y);
-  // How many corners from one on stay, at least, to either side: from one to the next neither
-  // distance changes by more than 1.
+  // Least number of corners that keep their squares, from corner x on to either side: from one
+  // corner to the next, neither distance changes by more than 1.
   const auto staying = [&](std::int32_t x) {
     const std::int32_t dx = beside(x, changed.x_min, changed.x_max + 1);
     const std::int32_t square = dx * dx + dy * dy;
@@ -209,7 +211,7 @@ CornerSquares::Stretch CornerSquares::affected(std::int32_t y, const CellBox& ch
   return {y, begin, end, std::max(left, 0), std::min(right, columns_ - 1)};
 }
 
-/// Whether a corner in a box of cells was one of a cell that is set, and is so no more.
+/// Whether a corner of the cells in `changed` belonged to a set cell before and does no more.
 bool CornerSquares::is_less(const BitGrid& cells, const CellBox& changed) const {
   for (std::int32_t y = changed.y_min; y <= changed.y_max + 1; ++y) {
     for (std::int32_t x = changed.x_min; x <= changed.x_max + 1; ++x) {
@@ -224,7 +226,7 @@ bool CornerSquares::is_less(const BitGrid& cells, const CellBox& changed) const 
 }
 
 CellBox CornerSquares::update(const BitGrid& cells, const CellBox& changed) {
-  // Where cells are set, and none was before, no others can be nearer than they were.
+  // If no corner has lost its set cell, squares only fall, and only changed cells lower them.
   const bool forgets = is_less(cells, changed);
   std::vector<Stretch> stretches;
   CellBox box{columns_, -1, rows_, -1};
@@ -273,8 +275,8 @@ DistanceField::DistanceField(const BlockedCells& cells, int coarseness, int shif
   fill_blocks({0, blocked_blocks_.columns() - 1, 0, blocked_blocks_.rows() - 1});
 }
 
-// [3] The nearest point of a block is a corner of a square. Beyond what the field knows it is as
-// far as the nearest block with a blocked cell.
+// [3] The point of a block that is nearest to blocked squares is a corner of a square. Beyond the
+// range of the field, the distance from the nearest block with a blocked cell counts.
 void DistanceField::fill_blocks(const CellBox& blocks) {
   const double side = 1 / per_block_;
   const auto near = least_in_blocks(squares_, blocks, coarseness_ - shift_);
@@ -310,7 +312,7 @@ void DistanceField::update(const BlockedCells& cells, const CellBox& changed) {
   }
   if (!is_empty(corners)) fill_blocks(blocks_at(left_of(corners), coarseness_ - shift_));
   if (is_empty(far_away)) return;
-  // Only what is beyond what the field knows is told from these.
+  // Only blocks beyond the range of the field get their distance from blocks.
   const CellBox blocks = blocks_at(left_of(far_away), 0);
   const auto squares = least_in_blocks(between_blocks_, blocks, 0);
   std::size_t i = 0;

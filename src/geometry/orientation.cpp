@@ -21,7 +21,7 @@ class ExactSum {
     add(product);
   }
 
-  /// The largest part that is not 0 outweighs all others together.
+  /// Sign of the sum: the largest part that is not 0 outweighs all others together.
   [[nodiscard]] int sign() const {
     for (std::size_t i = count_; i-- > 0;) {
       if (parts_[i] != 0) return sign_of(parts_[i]);
@@ -41,7 +41,7 @@ class ExactSum {
     parts_[count_++] = value;
   }
 
-  std::array<double, 12> parts_ = {};  // of six products
+  std::array<double, 12> parts_ = {};  // two parts for each of six products
   std::size_t count_ = 0;
 };
 

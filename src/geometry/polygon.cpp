@@ -18,15 +18,15 @@
 namespace vandplan::geometry {
 namespace {
 
-constexpr double speck = 1e-6;  // what a point grows to on each side [m]
+constexpr double speck = 1e-6;  // half the width of the triangle that a point becomes [m]
 
-/// Along the sweep: from left to right, on a vertical line upwards.
+/// Order of points along the sweep: from left to right, on a vertical line upwards.
 bool comes_before(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
 struct Side {
   Point from;
   Point to;
-  std::size_t index;  // of the corner it begins at
+  std::size_t index;  // index of the corner at which the side begins
 
   [[nodiscard]] const Point& first() const { return comes_before(from, to) ? from : to; }
   [[nodiscard]] const Point& last() const { return comes_before(from, to) ? to : from; }
@@ -44,14 +44,14 @@ bool clash(const Side& a, const Side& b, std::size_t count) {
   return meet(a.from, a.to, b.from, b.to);
 }
 
-/// 1 where a side lies above another one that does not begin after it, -1 below, 0 on its line.
+/// 1 if `side` lies above `other`, -1 if below, 0 on its line. `other` does not begin after `side`.
 int position(const Side& side, const Side& other) {
   const int begin = orientation(other.first(), other.last(), side.first());
   return begin != 0 ? begin : orientation(other.first(), other.last(), side.last());
 }
 
-/// The order in which the sweep crosses sides: from below to above. It is one as long as no two of
-/// them clash.
+/// The order in which the sweep crosses sides: from below to above. It is an order as long as no
+/// two sides clash.
 struct IsBelow {
   bool operator()(const Side* a, const Side* b) const {
     const bool b_is_older = comes_before(b->first(), a->first());
@@ -62,9 +62,9 @@ struct IsBelow {
 
 using Clash = std::optional<std::pair<Side, Side>>;
 
-/// Two sides that share more than a corner. M. I. Shamos and D. Hoey, "Geometric intersection
-/// problems" (1976): before two sides meet they are neighbours among those that a vertical line
-/// crosses, so only neighbours have to be compared.
+/// Two sides that share more than a corner; nothing if there are none. M. I. Shamos and D. Hoey,
+/// "Geometric intersection problems" (1976): before two sides meet, they are neighbours among the
+/// sides that a vertical line crosses. So only neighbours have to be compared.
 Clash find_clash(const std::vector<Side>& sides) {
   struct Event {
     Point place;
@@ -77,7 +77,7 @@ Clash find_clash(const std::vector<Side>& sides) {
     events.push_back({side.first(), false, &side});
     events.push_back({side.last(), true, &side});
   }
-  // What ends in a point is there until all that begins there has come: they touch.
+  // At one point sides begin before others end, because these sides touch.
   std::sort(events.begin(), events.end(), [](const Event& a, const Event& b) {
     if (a.place != b.place) return comes_before(a.place, b.place);
     return a.is_end != b.is_end ? b.is_end : a.side->index < b.side->index;
@@ -188,7 +188,7 @@ bool is_convex(std::span<const Point> polygon) {
   return left != right;
 }
 
-// A ray to the right crosses an odd number of sides.
+// A ray to the right of a point inside crosses an odd number of sides.
 bool contains(std::span<const Point> polygon, const Point& point) {
   bool is_inside = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -9,14 +9,14 @@
 
 namespace vandplan::geometry {
 
-/// Neighbouring equal corners made one; the last and the first are neighbours. Corners that are all
-/// equal become a triangle of micrometres around the point: obstacles like that occur in recorded
-/// data.
+/// The polygon with equal neighbouring corners joined; the last and the first corner are
+/// neighbours. Corners that are all equal become a triangle of micrometres around the point,
+/// because such obstacles occur in recorded data.
 [[nodiscard]] Polygon cleaned(const Polygon& polygon);
 
 /// What keeps a cleaned polygon of finite corners from being simple, as half a sentence; empty if
-/// nothing does. Simple: an area, and no two sides that share more than the corner between them.
-/// `origin` is that of the polygon's frame in the frame of whoever reads the sentence.
+/// it is simple. A simple polygon has an area, and no two of its sides share more than the corner
+/// between them. `origin` is that of the polygon's frame, in the frame of the reader.
 [[nodiscard]] std::string flaw_of(const Polygon& polygon, const Point& origin);
 
 /// Whether two closed line segments have a point in common, decided exactly.

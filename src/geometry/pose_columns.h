@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Do columns of poses fit what is to be filled?
+// Do columns of poses have as many numbers as results are wanted?
 
 #include <string>
 
@@ -10,7 +10,7 @@
 
 namespace vandplan::geometry {
 
-/// Throws InputError unless every column has as many numbers as there is room for results.
+/// Throws an InputError that names "nodes", unless every column has `size` numbers.
 inline void expect_columns(const PoseColumns& columns, std::size_t size) {
   if (columns.x.size() == size && columns.y.size() == size && columns.heading.size() == size) {
     return;

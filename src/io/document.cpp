@@ -13,17 +13,17 @@
 namespace vandplan::io {
 namespace {
 
-constexpr std::size_t deepest = 64;  // levels of lists and maps
+constexpr std::size_t deepest = 64;  // Levels of nested lists and maps.
 
 std::string quoted(std::string_view text) {
   constexpr std::size_t longest = 40;
   if (text.size() <= longest) return '"' + std::string(text) + '"';
   std::size_t cut = longest;
-  while (cut > 0 && (text[cut] & 0xC0) == 0x80) --cut;  // not inside a UTF-8 character
+  while (cut > 0 && (text[cut] & 0xC0) == 0x80) --cut;  // A UTF-8 character must not be cut.
   return '"' + std::string(text.substr(0, cut)) + "...\"";
 }
 
-/// What a node is, to end "expected a number, not ...".
+/// Description of a node, to end "expected a number, not ...".
 std::string description_of(const Node& node) {
   switch (node.kind) {
     case Node::Kind::nothing:
@@ -42,7 +42,7 @@ bool is_digits(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-/// ", with a point instead of the comma" behind what is expected instead of "0,5"; else empty.
+/// Hint for a number like "0,5": ", with a point instead of the comma"; otherwise empty.
 std::string comma_hint(std::string_view text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string_view::npos || !is_digits(text.substr(comma + 1))) return "";
@@ -53,7 +53,7 @@ std::string wrong_kind(const Node& node, std::string_view expected) {
   return "is " + description_of(node) + ", expected " + std::string(expected);
 }
 
-/// The path from `from` down to `to`, or none if it is not below it.
+/// Path from one node down to another; empty if it is not below.
 std::optional<std::string> path_between(const Node& from, const Node* to) {
   if (&from == to) return "";
   for (std::size_t i = 0; i < from.items.size(); ++i) {
@@ -66,7 +66,7 @@ std::optional<std::string> path_between(const Node& from, const Node* to) {
   return {};
 }
 
-/// The child of `node` that a path begins with, whose step is cut off the path; null if none.
+/// Child of `node` that the path begins with, or null. Removes its step from the path.
 const Node* step_into(const Node& node, std::string_view& path) {
   for (std::size_t i = 0; i < node.items.size(); ++i) {
     const std::string step =
@@ -81,7 +81,7 @@ const Node* step_into(const Node& node, std::string_view& path) {
   return nullptr;
 }
 
-/// Reads all of the text as a number, whatever the locale; says what is wrong if it is none.
+/// Reads the whole text as a number, in any locale. Returns the error, if any.
 template <typename Value>
 std::errc parse(std::string_view text, Value& value) {
   if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
@@ -90,7 +90,7 @@ std::errc parse(std::string_view text, Value& value) {
   return end == last ? error : std::errc::invalid_argument;
 }
 
-/// YAML's own words for what is no finite number.
+/// Whether a text is one of YAML's words for infinity or not-a-number.
 bool is_infinite_word(std::string_view text) {
   if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
   for (const std::string_view word : {".inf", ".Inf", ".INF", ".nan", ".NaN", ".NAN"}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-// How is a problem in the manner of dynobench (Ortiz-Haro, Hönig and Toussaint 2023) read?
+// How is a problem of dynobench (Ortiz-Haro, Hönig and Toussaint 2023) read?
 //
 // YAML: `environment` with `min`, `max` and `obstacles` (boxes along the axes: `center`, `size`),
 // and `robots` with `start` and `goal`, [x, y, heading] or [x, y, heading, heading of the trailer].
@@ -31,7 +31,7 @@ std::vector<double> numbers_from(const Document& file, const Node& node, std::si
   return numbers;
 }
 
-/// A state of a car that may have a trailer.
+/// State of a car, with the hitch angle of a trailer if any [rad].
 struct ListedState {
   Pose pose;
   std::optional<double> hitch_angle;
@@ -76,7 +76,7 @@ Polygon box_from(const Document& file, const Node& node) {
           {center[0] - x, center[1] + y}};
 }
 
-/// The one robot, of a kind that drives like a car.
+/// The only robot of a file, which must be a car.
 const Node& robot_in(const Document& file) {
   const Node& robots = file.at(file.root(), "robots");
   const std::vector<Node>& list = file.list(robots, "a list with one robot");
@@ -93,7 +93,7 @@ const Node& robot_in(const Document& file) {
   return list[0];
 }
 
-/// Where something of the scenario stands in the problem.
+/// Path in the file of the value that a scenario calls `key`.
 std::string path_of(std::string_view key) {
   if (key.starts_with("obstacles")) return "environment." + std::string(key);
   if (key.starts_with("bounds")) return "environment.max";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-// How do bytes get from and to a file, whole or not at all?
+// How are files read and written, so that a file is written completely or not at all?
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -20,7 +20,7 @@ namespace {
 
 using namespace io;
 
-/// A file descriptor that closes itself, unless it is a standard stream.
+/// File descriptor that is closed at the end, except for standard streams.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
@@ -45,7 +45,7 @@ class Descriptor {
   cannot(file, verb);
 }
 
-/// Zero, or the error that kept it from being written.
+/// Writes all bytes. Returns 0, or the error number.
 int write_all(int descriptor, std::string_view content) {
   while (!content.empty()) {
     const ssize_t count = ::write(descriptor, content.data(), content.size());
@@ -62,7 +62,7 @@ std::string folder_of(const std::string& file) {
   return slash == 0 ? "/" : file.substr(0, slash);
 }
 
-/// What the symbolic link `file` holds, seen from where we are; empty if it is no link.
+/// Target of the symbolic link `file`, relative to the working directory; empty if it is no link.
 std::string link_of(const std::string& file) {
   char buffer[PATH_MAX];
   const ssize_t size = ::readlink(file.c_str(), buffer, sizeof buffer);
@@ -71,8 +71,8 @@ std::string link_of(const std::string& file) {
   return target.starts_with('/') ? target : folder_of(file) + "/" + target;
 }
 
-/// The file that `file` names, behind all symbolic links. It need not exist yet: as with a shell's
-/// `>`, a link to nothing says where to make it.
+/// The file behind all symbolic links of `file`. It need not exist: like a shell's `>`, a dangling
+/// link says where to create it.
 std::string target_of(const std::string& file) {
   char resolved[PATH_MAX];
   std::string target = file;
@@ -85,7 +85,8 @@ std::string target_of(const std::string& file) {
   return target;
 }
 
-/// Creates an empty file beside `file` and returns its name; -1 in `descriptor` if that fails.
+/// Creates an empty file in the folder of `file` and returns its name. `descriptor` is -1 if that
+/// fails.
 std::string create_beside(const std::string& file, mode_t mode, int& descriptor) {
   std::string name;
   for (int i = 0; i < 1000; ++i) {
@@ -113,19 +114,20 @@ void expect_writable(const std::string& file) {
   const std::string folder = folder_of(target) + "/.";
   struct stat old {};
   const bool exists = ::stat(target.c_str(), &old) == 0;
-  if (!exists && errno != ENOENT) cannot(file, "write");  // links in a circle, for example
+  if (!exists && errno != ENOENT) cannot(file, "write");  // For example links in a circle.
   if (exists && S_ISDIR(old.st_mode)) fail(file, "write", EISDIR);
   if (exists && ::access(target.c_str(), W_OK) != 0) cannot(file, "write");
-  // A file is replaced by one that is written beside it.
+  // A regular file is replaced by a new one, written in the same folder.
   if (exists && !S_ISREG(old.st_mode)) return;
   if (file.empty()) fail(file, "write", ENOENT);
   if (::access(folder.c_str(), W_OK) != 0) cannot(file, "write");
 }
 
 struct FileWriter::Target {
-  std::string file;            ///< as the caller calls it
-  std::string place = {};      ///< where the content will be
-  std::string temporary = {};  ///< where it is until then; empty if it is written to its place
+  std::string file;        ///< Name given by the caller.
+  std::string place = {};  ///< Final place of the content.
+  /// Place of the content until then; empty if it is written directly.
+  std::string temporary = {};
   int descriptor = -1;
 
   ~Target() {
@@ -146,7 +148,7 @@ FileWriter::FileWriter(const std::string& file) : target_(std::make_unique<Targe
   target.place = target_of(file);
   struct stat old {};
   const bool exists = ::stat(target.place.c_str(), &old) == 0;
-  if (exists && !S_ISREG(old.st_mode)) {  // pipes, terminals and the like cannot be replaced
+  if (exists && !S_ISREG(old.st_mode)) {  // Pipes, terminals and the like cannot be replaced.
     target.descriptor = ::open(target.place.c_str(), O_WRONLY | O_CLOEXEC);
   } else {
     target.temporary = create_beside(target.place, 0666, target.descriptor);
@@ -172,7 +174,7 @@ void FileWriter::commit() {
   target_->temporary.clear();
   const Descriptor folder(
       ::open(folder_of(target_->place).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (folder.is_open()) (void)::fsync(folder.number());  // so that the new name survives a crash
+  if (folder.is_open()) (void)::fsync(folder.number());  // Makes the new name survive a crash.
 }
 
 void write_file(const std::string& file, std::string_view content) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-// How does the footprint of a robot of Nav2 become a vehicle?
+// How does the footprint of a Nav2 robot become a vehicle?
 //
-// Nav2 has it as text of a list, footprint: "[[0.3, 0.2], [0.3, -0.2], ...]", somewhere in a tree
-// of parameters.
+// Nav2 writes it as a text, footprint: "[[0.3, 0.2], [0.3, -0.2], ...]", somewhere in a tree of
+// parameters.
 
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@ namespace {
 
 using namespace io;
 
-/// All values of keys named footprint, but for empty ones, which stand for no footprint.
+/// Finds the values of all keys named footprint. Empty values are skipped: they mean no footprint.
 void find_footprints(const Node& node, std::vector<const Node*>& found) {
   for (std::size_t i = 0; i < node.items.size(); ++i) {
     const Node& item = node.items[i];
@@ -51,7 +51,7 @@ Polygon corners_in(const Document& file, const Node& node) {
   return corners;
 }
 
-/// The corners of a list, or of a list in quotes.
+/// Corners of a list, or of a list in quotes.
 Polygon footprint_from(const Document& file, const Node& node) {
   if (node.kind != Node::Kind::scalar) return corners_in(file, node);
   try {
@@ -62,7 +62,7 @@ Polygon footprint_from(const Document& file, const Node& node) {
   }
 }
 
-/// The one footprint of a file.
+/// The only footprint of a file.
 Polygon footprint_in(const Document& file) {
   const Node& root = file.root();
   if (root.kind != Node::Kind::map) return footprint_from(file, root);
@@ -89,7 +89,7 @@ double area_of(const Polygon& polygon) {
   return std::abs(twice) / 2;
 }
 
-/// A length of a vehicle, without the noise of subtracting.
+/// Length of a vehicle, rounded to remove the noise of a subtraction [m].
 double length_of(double metres) { return std::round(metres * 1e9) / 1e9; }
 
 }  // namespace

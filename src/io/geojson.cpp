@@ -23,16 +23,16 @@ namespace {
 
 using namespace io;
 
-constexpr double room = 20.0;       // between what is in the file and the bounds [m]
-constexpr double hairline = 0.001;  // width of the walls along the rings of a ring-shaped thing [m]
+constexpr double room = 20.0;       // Distance between the contents of the file and the bounds [m].
+constexpr double hairline = 0.001;  // Width of the walls along the rings of an area with holes [m].
 
-/// A start or goal, x and y as the file counts them.
+/// Start or goal, with x and y in the units of the file.
 struct End {
   Pose pose;
-  const Node* node = nullptr;  // null: it is not in the file
+  const Node* node = nullptr;  // Null if it is not in the file.
 };
 
-/// A position [x, y], perhaps with a height, as the file counts it.
+/// Position [x, y], perhaps with a height, in the units of the file.
 Point raw_position(const Document& file, const Node& node) {
   const std::vector<Node>& items = file.list(node, "a position [x, y]");
   if (items.size() < 2) {
@@ -41,7 +41,7 @@ Point raw_position(const Document& file, const Node& node) {
   return {file.number(items[0]), file.number(items[1])};
 }
 
-/// Takes positions of a file into the plane of the scenario.
+/// Converts positions of a file to the plane of the scenario.
 class Plane {
  public:
   Plane(const Document& file, bool has_longitudes, const Point& start) : file_(file) {
@@ -83,13 +83,13 @@ class Plane {
   ToPlane to_plane_;
 };
 
-/// Polygons, and the features that they are from.
+/// Polygons, and the feature that each comes from.
 struct Shapes {
   std::vector<Polygon> polygons;
   std::vector<const Node*> sources;
 };
 
-/// A scenario that is being made.
+/// Scenario under construction.
 struct Draft {
   const Document& file;
   const GeoJsonSite& site;
@@ -98,8 +98,8 @@ struct Draft {
   Pose goal;
   Shapes obstacles = {};
   Shapes kerbs = {};
-  const Node* bounds = nullptr;  // the feature
-  Polygon bounds_ring = {};      // the outer one
+  const Node* bounds = nullptr;  // Feature of the bounds.
+  Polygon bounds_ring = {};      // Outer ring of the bounds.
   std::map<std::string, int> left_out = {};
   int filled_holes = 0;
   std::vector<std::string> notes = {};
@@ -114,7 +114,7 @@ std::vector<Point> line_from(const Draft& draft, const Node& node) {
   return points;
 }
 
-/// A ring whose last corner repeats its first one, without that.
+/// Corners of a closed ring, without the last one, which repeats the first.
 Polygon ring_from(const Draft& draft, const Node& node) {
   Polygon ring = line_from(draft, node);
   if (ring.size() < 4) {
@@ -147,8 +147,8 @@ void warn_of_ends_within(Draft& draft, const Node& source, const Polygon& ring) 
                   draft.file.place_of(source), ends));
 }
 
-/// What the body stays inside of: the outer ring of bounds that were drawn as something else than a
-/// box along the axes.
+/// Areas that the body must stay inside: the outer ring of the bounds, unless it is a box along the
+/// axes.
 std::vector<Polygon> inside_of(const Draft& draft) {
   if (draft.bounds == nullptr) return {};
   const Bounds box = bounding_box(draft.bounds_ring);
@@ -163,8 +163,8 @@ std::vector<Polygon> inside_of(const Draft& draft) {
   return {draft.bounds_ring};
 }
 
-/// An area with holes. One that start and goal are not in is closed ground, and filled. Else the
-/// rings become walls, which nothing passes.
+/// Adds an area with holes. If neither start nor goal lies in a hole, the holes are filled.
+/// Otherwise the rings become walls.
 void add_area(Draft& draft, Shapes& shapes, const Node& source, const Node& node) {
   std::vector<Polygon> rings;
   for (const Node& item : draft.file.list(node, "a list of rings")) {
@@ -252,7 +252,7 @@ void add_feature(Draft& draft, const Feature& feature) {
   }
 }
 
-/// The only feature of that kind, or what the caller gave.
+/// Start or goal: the value given by the caller, otherwise the only feature of that kind.
 End end_from(const Document& file, const std::vector<Feature>& features, FeatureKind kind,
              const std::optional<Pose>& given) {
   const std::string name = kind == FeatureKind::start ? "start" : "goal";
@@ -274,7 +274,7 @@ End end_from(const Document& file, const std::vector<Feature>& features, Feature
   return {{point.x, point.y, *found->heading}, &position};
 }
 
-/// Around the corners of the bounds, else around everything; rounded to millimetres.
+/// Bounding box of the ring of the bounds, or of everything plus `room`; rounded to millimetres.
 Bounds bounds_of(const Draft& draft) {
   std::vector<Point> points = draft.bounds_ring;
   const double around = draft.bounds != nullptr ? 0.0 : room;
@@ -292,7 +292,7 @@ Bounds bounds_of(const Draft& draft) {
           rounded(box.y_max + around)};
 }
 
-/// Throws what `check_scenario` has to say about the feature that it is about.
+/// Rethrows an error of `check_scenario`, naming the feature that caused it.
 [[noreturn]] void blame(const Draft& draft, const Node* start, const Node* goal,
                         const InputError& error) {
   const std::string& key = error.where();

@@ -13,9 +13,9 @@
 namespace vandplan::io {
 namespace {
 
-constexpr double largest_width = 1000.0;  // of lines and points [m]
+constexpr double largest_width = 1000.0;  // Largest width of lines and points [m].
 
-/// What is on the ground and in nobody's way, as OpenStreetMap tags it.
+/// OpenStreetMap tags of features on the ground that block nobody.
 constexpr std::string_view tags_of_ground[] = {"highway", "area:highway", "landuse",
                                                "amenity", "leisure",      "boundary",
                                                "place",   "parking",      "surface"};
@@ -29,7 +29,7 @@ constexpr NamedKind feature_kinds[] = {
     {"bounds", FeatureKind::bounds},     {"start", FeatureKind::start},
     {"goal", FeatureKind::goal},         {"ground", FeatureKind::ground}};
 
-/// The property, null if there is none: editors of maps write null for what was not filled in.
+/// A property; null if it is missing, null or empty, as map editors write empty properties.
 const Node* property(const Document& file, const Node& feature, std::string_view name) {
   const Node* const properties = file.find(feature, "properties");
   if (properties == nullptr || properties->kind == Node::Kind::nothing) return nullptr;
@@ -38,7 +38,7 @@ const Node* property(const Document& file, const Node& feature, std::string_view
   return found->kind == Node::Kind::scalar && found->text.empty() ? nullptr : found;
 }
 
-/// A number, which OpenStreetMap has in quotes, with its unit at times.
+/// A number of metres. OpenStreetMap writes it in quotes, sometimes with a unit.
 double metres_from(const Document& file, const Node& node) {
   if (!node.is_quoted) return file.number(node);
   std::string_view text = file.text(node);
@@ -75,7 +75,7 @@ FeatureKind named_kind(const Document& file, const Node& node) {
                       "\", expected obstacle, kerb, bounds, start, goal or ground");
 }
 
-/// A barrier of OpenStreetMap. Most of those that are points stand in a way to be passed: gates.
+/// Sorts a barrier of OpenStreetMap. Most barriers on points, such as gates, can be passed.
 void sort_barrier(Feature& feature, const std::string& barrier) {
   const bool stands_alone = barrier == "bollard" || barrier == "block";
   if (barrier == "no" || (is_point(feature) && !stands_alone)) {
@@ -85,7 +85,7 @@ void sort_barrier(Feature& feature, const std::string& barrier) {
   }
 }
 
-/// What the feature says of itself, else what its tags say, else what its shape says.
+/// Finds the kind of a feature: from its property `kind`, otherwise its tags, otherwise its shape.
 void sort(const Document& file, Feature& feature) {
   const Node& node = *feature.node;
   if (feature.geometry == nullptr) return make_ground(feature, "without geometry");
@@ -150,7 +150,7 @@ Feature feature_from(const Document& file, const Node& node) {
   return feature;
 }
 
-/// The number of a system of the EPSG register, 0 for other systems.
+/// Number of a coordinate system in the EPSG register; 0 for other systems.
 int epsg_number(std::string_view name) {
   const std::size_t at = name.rfind(':');
   if (name.find("EPSG") == std::string_view::npos || at == std::string_view::npos) return 0;
@@ -160,8 +160,8 @@ int epsg_number(std::string_view name) {
   return error == std::errc() && end == digits.data() + digits.size() ? number : 0;
 }
 
-/// Universal Transverse Mercator on WGS84, north and south, and on ETRS89; SWEREF 99 TM and its
-/// zones: eastings and northings in metres.
+/// Whether coordinates are eastings and northings in metres: UTM on WGS84 (north, south) and on
+/// ETRS89, SWEREF 99 TM and its zones.
 bool is_metric(int epsg) {
   const auto within = [epsg](int first, int last) { return first <= epsg && epsg <= last; };
   return within(32601, 32660) || within(32701, 32760) || within(25828, 25838) || within(3006, 3018);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What does a feature of a GeoJSON file stand for?
+// What does a feature of a GeoJSON file mean for a scenario?
 
 #include <optional>
 #include <string>
@@ -13,24 +13,24 @@ namespace vandplan::io {
 
 enum class FeatureKind { obstacle, kerb, bounds, start, goal, ground };
 
-/// A feature of a file. The nodes are those of its document.
+/// Feature of a file. Its nodes belong to the document.
 struct Feature {
   const Node* node = nullptr;
-  const Node* geometry = nullptr;  ///< null: it has none
-  std::string type = {};           ///< of the geometry, "MultiPolygon"; empty: it has none
+  const Node* geometry = nullptr;  ///< Null if the feature has none.
+  std::string type = {};  ///< Type of the geometry, "MultiPolygon"; empty without a geometry.
   FeatureKind kind = FeatureKind::ground;
-  std::string ground = {};             ///< why it is nothing but ground, "highway"
-  std::optional<double> width = {};    ///< of a line or point [m]
-  std::optional<double> heading = {};  ///< of a start or goal [rad]
-  const Node* heading_node = nullptr;  ///< that is in radians; null: it is none
+  std::string ground = {};             ///< Reason why it is only ground, "highway".
+  std::optional<double> width = {};    ///< Width of a line or point [m].
+  std::optional<double> heading = {};  ///< Heading of a start or goal [rad].
+  const Node* heading_node = nullptr;  ///< Node of a heading in radians; null if there is none.
 };
 
-/// All features of a collection. Throws InputError for what is no collection of features, or says
-/// of itself what is not known.
+/// All features of a collection. Throws InputError if the document is no collection of features, or
+/// a feature has an unknown kind or a wrong value.
 [[nodiscard]] std::vector<Feature> features_from(const Document& file);
 
-/// Whether the coordinates of a collection are longitudes and latitudes, and not metres. Throws
-/// InputError if the file names another system of coordinates.
+/// Whether the coordinates of a collection are longitudes and latitudes, otherwise metres. Throws
+/// InputError if the file names another coordinate system.
 [[nodiscard]] bool has_longitudes(const Document& file);
 
 }  // namespace vandplan::io

@@ -29,7 +29,7 @@ void expect_trailer(const Document& file, const Node& node, const Vehicle& vehic
             fmt::format("{} given without a trailer, expected trailers of the vehicle", verb));
 }
 
-/// The one element of a list of hitch angles.
+/// The only element of a list of hitch angles.
 const Node& angle_node(const Document& file, const Node& angles) {
   const std::vector<Node>& items = file.list(angles, "a list with one angle");
   if (items.size() != 1) {
@@ -47,7 +47,7 @@ double hitch_angle_from(const Document& file, const Node& pose, const Vehicle& v
 
 bool is_any(const Node& node) { return node.kind == Node::Kind::scalar && node.text == "any"; }
 
-/// A number, or [least, most].
+/// Interval from a number, or from [least, most].
 Interval interval_from(const Document& file, const Node& node) {
   if (node.kind != Node::Kind::list) return {file.number(node), file.number(node)};
   const Point ends = pair_from(file, node, "[smallest, largest]");
@@ -75,7 +75,7 @@ bool bool_from(const Document& file, const Node& node) {
   return text == "true";
 }
 
-/// Place and heading of the axle that a goal speaks of.
+/// Reads place and heading of the axle that a goal refers to.
 void read_axle(const Document& file, const Node& node, GoalRegion& region) {
   if (const Node* const area = file.find(node, "area")) {
     for (const char* const key : {"x", "y"}) {
@@ -112,7 +112,7 @@ GoalRegion region_from(const Document& file, const Node& node, const Vehicle& ve
   return region;
 }
 
-/// The goals of `any_of`, or the goal itself.
+/// The goals under `any_of`, or the goal itself.
 std::vector<const Node*> entries_of(const Document& file, const Node& node) {
   const Node* const any_of = file.find(node, "any_of");
   if (any_of == nullptr) return {&node};

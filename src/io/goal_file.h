@@ -12,26 +12,26 @@
 
 namespace vandplan::io {
 
-/// What a start or a goal of one pose says.
+/// Start or goal of one pose.
 struct End {
   Pose pose = {};
-  double curvature = 0.0;    ///< how far the wheels are turned [1/m]
-  double hitch_angle = 0.0;  ///< between the vehicle and its trailer [rad]
+  double curvature = 0.0;    ///< Curvature of the path at the pose, from the turned wheels [1/m].
+  double hitch_angle = 0.0;  ///< Hitch angle of the trailer [rad].
 };
 
 [[nodiscard]] End end_from(const Document& file, const Node& node, const Vehicle& vehicle);
 
-/// One pose of the vehicle, or of its trailer.
+/// Goal of one pose, given for the vehicle or for its trailer.
 [[nodiscard]] End goal_from(const Document& file, const Node& node, const Vehicle& vehicle);
 
-/// Whether a goal says more than one pose.
+/// Whether a goal has more than one pose.
 [[nodiscard]] bool is_goal_set(const Document& file, const Node& node);
 
-/// The regions of a goal that says more than one pose.
+/// Regions of a goal that has more than one pose.
 [[nodiscard]] std::vector<GoalRegion> goal_set_from(const Document& file, const Node& node,
                                                     const Vehicle& vehicle);
 
-/// Adds a warning for each heading of a start or a goal that looks like degrees.
+/// Adds a warning for each heading of a start or goal that looks like degrees.
 void warn_of_degrees(const Document& file, const Node& node, std::vector<std::string>& warnings);
 
 [[nodiscard]] std::string yaml_of(const End& end);

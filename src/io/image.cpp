@@ -11,7 +11,7 @@
 namespace vandplan::io {
 
 void check_image_size(std::uint64_t columns, std::uint64_t rows, const std::string& where) {
-  constexpr std::uint64_t longest = 100'000'000;  // side
+  constexpr std::uint64_t longest = 100'000'000;  // Largest side [pixels].
   const auto most = static_cast<std::uint64_t>(most_map_cells);
   const bool has_sides = columns >= 1 && rows >= 1 && columns <= longest && rows <= longest;
   if (has_sides && rows <= most / columns) return;

@@ -14,41 +14,41 @@
 
 namespace vandplan::io {
 
-/// The largest image file that is read [bytes].
+/// Largest image file that is read [bytes].
 inline constexpr std::size_t largest_image = std::size_t{1} << 30;
 
-/// What becomes of transparent pixels.
+/// Treatment of transparent pixels.
 enum class Alpha {
-  marked,  ///< a pixel that is not opaque has no brightness
-  ignored,
+  marked,   ///< A pixel that is not opaque gets `transparent_pixel`.
+  ignored,  // Opacity has no effect.
 };
 
-/// What an image says about itself. The brightness of a pixel is the sum of its channels, with red,
-/// green and blue alike for grey.
+/// Size and range of an image. The brightness of a pixel is the sum of its channels; a grey pixel
+/// counts as equal red, green and blue.
 struct ImageShape {
   std::int32_t columns = 0;
   std::int32_t rows = 0;
-  std::uint32_t white = 0;  ///< the greatest brightness
+  std::uint32_t white = 0;  ///< Greatest brightness.
 };
 
-/// Stands for the brightness of a pixel that is not opaque.
+/// Brightness that stands for a pixel that is not opaque.
 inline constexpr std::uint32_t transparent_pixel = UINT32_MAX;
 
-/// Takes the rows of an image in, from the top: the brightness of each pixel.
+/// Receives the rows of an image, from the top: the brightness of each pixel.
 using TakeRow =
     std::function<void(const ImageShape& shape, std::span<const std::uint32_t> brightness)>;
 
-/// Throws InputError, `where` standing for the file, for no pixels, more than `most_map_cells`, or
-/// more than 10^8 along a side.
+/// Throws InputError for an image without pixels, with more than `most_map_cells` pixels, or with
+/// more than 10^8 along a side. `where`: name of the file in the error.
 void check_image_size(std::uint64_t columns, std::uint64_t rows, const std::string& where);
 
-/// Throws InputError if the bytes of a file are fewer than its pixels take at least: nobody is
-/// asked for memory on the word of a header alone. `kind` is "PGM" or "PNG".
+/// Throws InputError if a file has fewer than `least` bytes, the least that its pixels need. So no
+/// memory is allocated on the word of a header alone. `kind`: "PGM" or "PNG".
 void check_image_bytes(const ImageShape& shape, std::size_t bytes, double least, const char* kind,
                        const std::string& where);
 
-/// Puts the rows of an image into the order of a map: the top row, which has the largest y, is its
-/// last one.
+/// Reverses the order of rows, from an image to a map: the top row has the largest y and becomes
+/// the last one.
 void turn_over(std::vector<Cell>& cells, std::int32_t columns);
 
 }  // namespace vandplan::io

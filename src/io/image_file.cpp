@@ -12,7 +12,7 @@
 namespace vandplan::io {
 namespace {
 
-/// What a file is that we do not read, from how it begins.
+/// Kind of a file that is not read, judged by its first bytes.
 std::string kind_of(std::string_view bytes) {
   struct Kind {
     std::string_view begin, name;

@@ -15,22 +15,22 @@
 namespace vandplan::io {
 namespace {
 
-constexpr std::size_t chunk = std::size_t{1} << 16;  // read at a time [bytes]
+constexpr std::size_t chunk = std::size_t{1} << 16;  // Bytes read at a time.
 
 [[noreturn]] void refuse(const std::string& name, std::size_t largest) {
   throw InputError(name, "is too large, expected at most " + std::to_string(largest) + " bytes");
 }
 
-/// Whether a name stands for a descriptor that whoever called us has opened.
+/// Whether a name stands for a descriptor that the caller's process has opened.
 bool is_open_already(const std::string& file) {
   return file == "/dev/stdin" || file.starts_with("/dev/fd/") || file.starts_with("/proc/self/fd/");
 }
 
-/// Throws InputError for what reading, or opening alone, might wait for.
+/// Throws InputError for files where reading, or even opening, might block.
 void expect_regular(const std::string& file) {
   struct stat status {};
-  if (::stat(file.c_str(), &status) != 0) return;                  // opening says why
-  if (S_ISREG(status.st_mode) || S_ISDIR(status.st_mode)) return;  // reading says what it is
+  if (::stat(file.c_str(), &status) != 0) return;                  // Opening reports the reason.
+  if (S_ISREG(status.st_mode) || S_ISDIR(status.st_mode)) return;  // Reading reports a folder.
   const char* const kind = S_ISFIFO(status.st_mode)   ? "a pipe"
                            : S_ISSOCK(status.st_mode) ? "a socket"
                                                       : "a device";
@@ -42,7 +42,7 @@ int opened(const std::string& file) {
   if (file == "-") return STDIN_FILENO;
   if (is_open_already(file)) return ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
   expect_regular(file);
-  // Should a pipe have come in its place, nobody waits.
+  // Does not block even if a pipe has replaced the file meanwhile.
   return ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
 }
 
@@ -94,7 +94,7 @@ std::optional<std::string> FileReader::next(std::size_t largest) {
   if (length > largest) refuse(name() + ":" + std::to_string(number_ + 1), largest);
   ++number_;
   const std::size_t after = used_ + length + (is_last ? 0 : 1);
-  if (used_ == 0 && length > chunk) {  // a long line is not held twice
+  if (used_ == 0 && length > chunk) {  // Avoids two copies of a long line.
     std::string line = std::exchange(buffer_, buffer_.substr(after));
     line.resize(length);
     return line;

@@ -11,7 +11,7 @@
 namespace vandplan::io {
 namespace {
 
-/// Where the parser reads, and what it has passed.
+/// Position of the parser in the text.
 class Cursor {
  public:
   Cursor(const NextPiece& next, int line) : next_(next), piece_(next()), line_(line) {}
@@ -27,19 +27,19 @@ class Cursor {
   }
 
   [[nodiscard]] int line() const { return line_; }
-  /// Of what stands before the last character that was passed.
+  /// Line of the text before the last character that was passed.
   [[nodiscard]] int line_before() const { return line_ - (last_ == '\n' ? 1 : 0); }
   [[nodiscard]] std::size_t passed() const { return passed_; }
 
  private:
   const NextPiece& next_;
-  std::string_view piece_;  // what is left of it
+  std::string_view piece_;  // Rest of the current piece.
   int line_;
-  std::size_t passed_ = 0;  // characters
+  std::size_t passed_ = 0;  // Characters passed.
   char last_ = '\0';
 };
 
-/// The characters under a cursor, as the parser wants them.
+/// Iterator over the characters of a cursor, for the parser.
 class Characters {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -48,7 +48,7 @@ class Characters {
   using pointer = const char*;
   using reference = const char&;
 
-  /// Without a cursor it is the end.
+  /// Without a cursor it is the end iterator.
   explicit Characters(Cursor* cursor = nullptr) : cursor_(cursor) {}
   const char& operator*() const { return cursor_->character(); }
   Characters& operator++() {
@@ -95,14 +95,13 @@ class JsonEvents : public nlohmann::json_sax<nlohmann::json> {
   bool end_array() override { return builder_.end(), true; }
   bool parse_error(std::size_t position, const std::string&,
                    const nlohmann::detail::exception& error) override {
-    // "[json.exception.parse_error.101] parse error at line 1, column 2: what; last read: '...'",
-    // or
-    // "[json.exception.out_of_range.406] what": ours is what.
+    // The message is "[json.exception.parse_error.101] parse error at line 1, column 2: what; last
+    // read: '...'", or "[json.exception.out_of_range.406] what". Only `what` is passed on.
     const std::string_view message = error.what();
     const bool has_place = message.find("parse error at line") != std::string_view::npos;
     const std::size_t begin = has_place ? message.find(": ") + 2 : message.find("] ") + 2;
     const std::string reason(message.substr(begin, message.find(';') - begin));
-    // The parser has read one character more than it could use, but for the end.
+    // The parser has read one character too many, except at the end.
     const int line = position > cursor_.passed() ? cursor_.line() : cursor_.line_before();
     builder_.fail(line, "is not JSON (" + reason + "), expected " + expected_);
   }
@@ -111,7 +110,7 @@ class JsonEvents : public nlohmann::json_sax<nlohmann::json> {
   bool scalar(std::string text, int line) {
     return builder_.scalar(std::move(text), false, line), true;
   }
-  /// The parser sees the end of a number by reading one character more.
+  /// Line of a number. The parser sees the end of a number by reading one more character.
   [[nodiscard]] int line_of_number() const { return cursor_.line_before(); }
 
   NodeBuilder& builder_;

@@ -3,7 +3,7 @@
 // How is a map of ROS' map_server read? (docs/formats.md)
 //
 // The rules are those of http://wiki.ros.org/map_server (ROS 1) and of nav2_map_server's map_io.cpp
-// (ROS 2); where these differ, the choice is named below.
+// (ROS 2). Where they differ, a comment states the choice.
 
 #include <fmt/format.h>
 
@@ -29,7 +29,7 @@ using namespace io;
 
 enum class Mode { trinary, scale, raw };
 
-/// How the brightness of a pixel says what a cell is.
+/// Rule that turns the brightness of a pixel into a cell.
 struct Rule {
   Mode mode = Mode::trinary;
   bool negate = false;
@@ -50,7 +50,7 @@ Mode mode_from(const Document& file, const Node& node) {
   file.fail(node, "is \"" + file.text(node).substr(0, 40) + "\", expected trinary, scale or raw");
 }
 
-/// 0 and 1, and what YAML has for them.
+/// A flag: 0, 1 or a boolean word of YAML.
 bool flag_from(const Document& file, const Node& node) {
   constexpr std::array<const char*, 5> no = {"0", "false", "no", "off", "n"};
   constexpr std::array<const char*, 5> yes = {"1", "true", "yes", "on", "y"};
@@ -80,32 +80,33 @@ Rule rule_from(const Document& file) {
   return rule;
 }
 
-/// The thresholds themselves belong to neither side, as in ROS 1 and in nav2 before 2025.
+/// Cell of an occupancy. The thresholds belong to neither side, as in ROS 1 and nav2 before 2025.
 Cell cell_between(const Rule& rule, double occupancy) {
   if (occupancy > rule.occupied_thresh) return Cell::occupied;
   return occupancy < rule.free_thresh ? Cell::free : Cell::unknown;
 }
 
-/// Of a brightness out of `white`. What map_server grades between the thresholds (`scale`) is
-/// unknown to us.
+/// Cell of a brightness between 0 and `white`. Values between the thresholds, which map_server
+/// grades in mode `scale`, are unknown.
 Cell cell_of(const Rule& rule, std::uint32_t brightness, std::uint32_t white) {
-  if (rule.mode == Mode::raw) {  // whatever `negate` says, as in nav2
+  if (rule.mode == Mode::raw) {  // Without regard to `negate`, as in nav2.
     const double percent = std::round(255.0 * brightness / white);
     return percent > 100 ? Cell::unknown : cell_between(rule, percent / 100);
   }
-  // One division, so that 51 of 255 is not below a threshold of 0.2.
+  // A single division, so that 51 of 255 is not below a threshold of 0.2.
   const std::uint32_t part = rule.negate ? brightness : white - brightness;
   return cell_between(rule, static_cast<double>(part) / white);
 }
 
-/// The cells of an image as it comes: the top row first, which has the largest y.
+/// Cells of an image, filled as its rows arrive: the top row first, which has the largest y.
 struct Cells {
   std::int32_t columns = 0;
   std::int32_t rows = 0;
   std::vector<Cell> cells;
-  std::size_t missing = 0;               // the first so many are not there yet
-  bool has_grey = false;                 // the one that map_saver writes for unknown ground
-  std::vector<Cell> cell_of_brightness;  // few brightnesses, many pixels
+  std::size_t missing = 0;  // Number of cells, from the first on, that have not arrived yet.
+  bool has_grey = false;  // Whether a pixel has the grey that map_saver writes for unknown ground.
+  // Cell of each brightness, since pixels are many and brightnesses few.
+  std::vector<Cell> cell_of_brightness;
 
   void take(const Rule& rule, const io::ImageShape& shape,
             std::span<const std::uint32_t> brightness) {
@@ -187,7 +188,7 @@ OccupancyGrid io::map_from(const std::string& name, std::vector<std::string>& wa
   if (file.find(root, "image") == nullptr) {
     file.fail(root, "key \"image\" is missing, expected a map of ROS' map_server");
   }
-  OccupancyGrid grid;  // keys that are not ours are passed over, as map_server does
+  OccupancyGrid grid;  // Unknown keys are ignored, as map_server does.
   grid.resolution = file.number(file.at(root, "resolution"));
   const Node& origin = file.at(root, "origin");
   const std::vector<Node>& place = file.list(origin, "[x, y, yaw]");
@@ -208,7 +209,7 @@ OccupancyGrid io::map_from(const std::string& name, std::vector<std::string>& wa
   grid.cells = std::make_shared<const std::vector<Cell>>(std::move(cells.cells));
   try {
     check_map(grid);
-  } catch (const InputError& error) {  // its keys begin with "map."
+  } catch (const InputError& error) {  // Error keys begin with "map.".
     file.fail(std::string_view(error.where()).substr(4), error.problem());
   }
   return grid;

@@ -11,7 +11,7 @@
 namespace vandplan::io {
 namespace {
 
-/// A list of exactly so many numbers.
+/// A list of exactly `count` numbers.
 std::vector<double> numbers_of_row(const Document& file, const Node& node, std::size_t count,
                                    const std::string& expected) {
   const std::vector<Node>& items = file.list(node, expected);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How is what moves read and written? (docs/formats.md)
+// How are moving obstacles read and written? (docs/formats.md)
 
 #include <string>
 #include <vector>
@@ -11,10 +11,10 @@
 
 namespace vandplan::io {
 
-/// The list below `moving:`. Throws InputError naming the node that is wrong.
+/// Moving obstacles of the list under `moving:`. Throws InputError naming the wrong node.
 [[nodiscard]] std::vector<MovingObstacle> moving_from(const Document& file, const Node& node);
 
-/// The key with its list, as lines of a scenario; empty if nothing moves.
+/// The key `moving:` with its list, as lines of a scenario; empty if there are no obstacles.
 [[nodiscard]] std::string moving_to_yaml(const std::vector<MovingObstacle>& moving);
 
 }  // namespace vandplan::io

@@ -2,8 +2,8 @@
 // Copyright (c) 2026, the Vändplan authors
 // How is a problem of the MovingAI benchmarks (N. Sturtevant 2012) read?
 //
-// https://movingai.com/benchmarks/formats.html: a map of characters, and a list of problems on it:
-// one a line, its cells counted from the upper left corner.
+// https://movingai.com/benchmarks/formats.html: a map of characters, and a list of problems on it.
+// Each line is a problem; cells are counted from the upper left corner.
 
 #include <fmt/format.h>
 
@@ -30,12 +30,12 @@ using namespace io;
   throw InputError(fmt::format("{}:{}", file, line), problem);
 }
 
-/// The lines of a text, one after the other.
+/// Lines of a text, read one by one.
 class Lines {
  public:
   explicit Lines(std::string_view text) : rest_(text) {}
 
-  /// The next line without its end; none after the last one.
+  /// Next line without its end; empty after the last line.
   std::optional<std::string_view> next() {
     if (rest_.empty()) return std::nullopt;
     const std::size_t end = rest_.find('\n');
@@ -45,7 +45,7 @@ class Lines {
     ++number_;
     return line;
   }
-  /// The number of the line that `next` handed out last, from 1.
+  /// Number of the line that `next` returned last, from 1.
   [[nodiscard]] std::size_t number() const { return number_; }
 
  private:
@@ -55,7 +55,7 @@ class Lines {
 
 using Words = std::vector<std::string>;
 
-/// The words of a line, of which ten are more than any line may have; none where there is no line.
+/// Words of a line, at most ten, which is more than a valid line has; none if there is no line.
 Words words_of(std::optional<std::string_view> line) {
   constexpr std::string_view blanks = " \t\v\f\r";
   Words words;
@@ -77,7 +77,7 @@ std::int32_t whole_number(const std::string& word, std::int32_t least, std::int3
   return is_good && value >= least && value <= most ? value : least - 1;
 }
 
-/// "height 256": the number behind the word on the next line.
+/// Number after the word `name` on the next line, as in "height 256".
 std::int32_t size_from(Lines& lines, const char* name, const std::string& file) {
   const Words words = words_of(lines.next());
   const std::int32_t size =

@@ -15,7 +15,7 @@
 namespace vandplan::io {
 namespace {
 
-constexpr double largest_angle = 100.0;  // [rad]
+constexpr double largest_angle = 100.0;  // Largest heading that is taken for radians [rad].
 
 std::vector<double> headings_from(const Document& file, const Node& node) {
   const std::vector<Node>& list = file.list(node, "a list of angles");
@@ -40,7 +40,7 @@ std::int32_t heading_index(const Document& file, const Node& node, std::size_t c
 }
 
 std::vector<Pose> poses_from(const Document& file, const Node& node, double heading) {
-  std::vector<Pose> poses = {{0.0, 0.0, heading}};  // which files leave out
+  std::vector<Pose> poses = {{0.0, 0.0, heading}};  // The first pose, which the files leave out.
   for (const Node& item : file.list(node, "a list of poses")) {
     const std::vector<Node>& numbers = file.list(item, "[x, y, heading]");
     if (numbers.size() != 3) {

@@ -8,7 +8,7 @@
 namespace vandplan::io {
 namespace {
 
-constexpr int deepest_list = 8;  // deeper ones are left to the parser of YAML
+constexpr int deepest_list = 8;  // Deeper lists are left to the YAML parser.
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -18,7 +18,7 @@ constexpr bool is_of_number(char c) {
 
 constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-/// Takes a character off the front of the text if it is this one.
+/// Removes a character from the front of the text, if it is `c`.
 bool take(std::string_view& text, char c) {
   if (!text.starts_with(c)) return false;
   text.remove_prefix(1);
@@ -29,7 +29,7 @@ void take_blanks(std::string_view& text) {
   text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
 }
 
-/// Takes what looks like a number off the front of the text; empty if nothing does.
+/// Removes a text that looks like a number from the front; empty if there is none.
 std::string_view take_number(std::string_view& text) {
   const std::size_t sign = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
   if (text.size() == sign || !(is_digit(text[sign]) || text[sign] == '.')) return {};
@@ -39,8 +39,9 @@ std::string_view take_number(std::string_view& text) {
   return number;
 }
 
-/// Takes a list of numbers and of such lists off the front of the text, and tells `events` of it:
-/// begin(), number(text), end(). False if there is none, or a deeper one than `levels`.
+/// Removes a list of numbers and nested lists from the front of the text. Calls begin(),
+/// number(text) and end() of `events`. False if there is no list, or one nested deeper than
+/// `levels`.
 template <typename Events>
 bool take_list(std::string_view& text, int levels, Events& events) {
   if (levels == 0 || !take(text, '[')) return false;
@@ -79,8 +80,8 @@ struct BuilderEvents {
   void end() { builder.end(); }
 };
 
-/// What stands before a list that is all there is on a line otherwise: "  - " or "  key: "; empty
-/// if the line is another one.
+/// Text before the list, "  - " or "  key: ", of a line that otherwise contains only a list. Empty
+/// for other lines.
 std::string_view before_list(std::string_view line) {
   std::string_view rest = line;
   take_blanks(rest);
@@ -99,7 +100,7 @@ std::string_view before_list(std::string_view line) {
   return rest.empty() ? prefix : std::string_view();
 }
 
-/// Takes a line off the front of the text; what ends it belongs to it.
+/// Removes a line from the front of the text, with its end.
 std::string_view take_line(std::string_view& text) {
   const std::string_view line = text.substr(0, text.find('\n'));
   text.remove_prefix(std::min(line.size() + 1, text.size()));
@@ -116,12 +117,12 @@ std::string mark_of(std::size_t number) { return mark_of_lists + std::to_string(
 
 ShortenedText without_number_lists(std::string_view text) {
   ShortenedText result;
-  std::string_view before;  // of the lists that the last line belongs to, if it does
+  std::string_view before;  // Prefix of the lists that the last line belongs to, or empty.
   std::string_view rest = text;
   for (int number = 1; !rest.empty(); ++number) {
     const char* const begin = rest.data();
     const std::string_view line = take_line(rest);
-    const bool is_whole = rest.data() > begin + line.size();  // its end is there
+    const bool is_whole = rest.data() > begin + line.size();  // Whether the line has an end.
     const std::string_view prefix = before_list(is_whole ? without_return(line) : line);
     const bool goes_on = !prefix.empty() && prefix == before && prefix.find('-') != prefix.npos;
     if (prefix.empty()) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which lists in a YAML text are plain enough to be read without a parser of YAML?
+// Which lists in a YAML text are simple enough to be read without a YAML parser?
 //
-// Large scenarios are lists of numbers, one polygon a line, and a parser of all of YAML takes forty
-// times as long for them as they need.
+// Large scenarios are lists of numbers, one polygon a line. A YAML parser is forty times slower for
+// them.
 
 #include <string>
 #include <string_view>
@@ -14,32 +14,32 @@
 
 namespace vandplan::io {
 
-/// Begins a mark; stands in no YAML text.
+/// First character of a mark; it occurs in no YAML text.
 inline constexpr char mark_of_lists = '\x01';
 
-/// Lines that hold lists of numbers in brackets and nothing else, "  - [[0, 1], [2, 3]]" each: one
-/// after the other at the same depth, or one of them behind "key: ".
+/// Lines that contain only lists of numbers in brackets: "  - [[0, 1], [2, 3]]" on consecutive
+/// lines at one depth, or a single line "key: [...]".
 struct NumberLists {
   std::string_view lines;
-  int line = 1;  ///< of the first one
+  int line = 1;  ///< Number of the first line.
 };
 
-/// A YAML text without its lists of numbers. It has as many lines as before.
+/// YAML text in which marks replace the lists of numbers. It has as many lines as before.
 struct ShortenedText {
-  /// A scalar in quotes, `mark_of(0)` for the first, stands for each of `lists` on its line. Like a
-  /// list in brackets, and unlike a scalar without quotes, it ends where it ends.
+  /// Text with marks. Each of `lists` is replaced by a scalar in quotes on its line, `mark_of(0)`
+  /// for the first. In quotes a scalar ends where a list in brackets would.
   std::string text;
   std::vector<NumberLists> lists;
 };
 
-/// The text refers to `text`. Lines are judged by themselves: within a longer text in quotes, for
-/// example, a mark becomes part of that, which is for whoever parses it to notice.
+/// Shortens a text; the result refers to `text`. Each line is judged alone: a line within a longer
+/// quoted text is also replaced, which the parser has to notice.
 [[nodiscard]] ShortenedText without_number_lists(std::string_view text);
 
-/// The scalar that stands for a number of the lists.
+/// Scalar that replaces the list of this number.
 [[nodiscard]] std::string mark_of(std::size_t number);
 
-/// Hands the lists to `builder`, as a parser of YAML would.
+/// Passes the lists to `builder`, as a YAML parser would.
 void replay(const NumberLists& lists, NodeBuilder& builder);
 
 }  // namespace vandplan::io

@@ -11,9 +11,9 @@
 
 #include "vandplan/input_error.h"
 
-// https://netpbm.sourceforge.net/doc/pgm.html: magic number, width, height, greatest value, all
-// separated by blanks and comments; then one byte (two from 256 on, the higher one first) or one
-// decimal number for each pixel.
+// https://netpbm.sourceforge.net/doc/pgm.html: magic number, width, height, greatest value,
+// separated by blanks and comments. Then each pixel: one byte (two from 256 on, high byte first) or
+// a decimal number.
 
 namespace vandplan::io {
 namespace {
@@ -27,7 +27,7 @@ class Reader {
     (void)bytes(magic_number);
   }
 
-  /// The next decimal number.
+  /// Next decimal number.
   std::uint64_t number(const char* name, std::uint64_t most) {
     skip_blanks();
     const std::string_view text = file_.ahead(longest_number).substr(0, longest_number);
@@ -46,7 +46,7 @@ class Reader {
     return value;
   }
 
-  /// The single blank behind the header.
+  /// Reads the single blank after the header.
   void blank() {
     const std::string_view next = file_.ahead(1);
     if (next.empty() || !is_blank(next.front())) {
@@ -55,14 +55,14 @@ class Reader {
     skip(1);
   }
 
-  /// The next bytes; fewer at the end of the file.
+  /// Next `count` bytes; fewer at the end of the file.
   std::string_view bytes(std::size_t count) {
     const std::string_view next = file_.ahead(count).substr(0, count);
     skip(next.size());
     return next;
   }
 
-  /// How many bytes are left.
+  /// Number of bytes left.
   [[nodiscard]] std::size_t left() { return file_.size(largest_image) - at_; }
 
   [[noreturn]] void fail(const std::string& problem, const std::string& expected) const {
@@ -70,7 +70,8 @@ class Reader {
   }
 
  private:
-  static constexpr std::size_t longest_number = 1024;  // with all its zeros [bytes]
+  // Longest number, with leading zeros [bytes].
+  static constexpr std::size_t longest_number = 1024;
 
   void skip(std::size_t count) {
     file_.skip(count);
@@ -78,7 +79,7 @@ class Reader {
   }
 
   void skip_blanks() {
-    bool is_comment = false;  // up to the end of its line
+    bool is_comment = false;  // Whether the position is in a comment, which ends with its line.
     for (std::string_view next = file_.ahead(1); !next.empty(); next = file_.ahead(1)) {
       const char c = next.front();
       is_comment = is_comment ? c != '\n' : c == '#';
@@ -88,7 +89,7 @@ class Reader {
   }
 
   FileReader& file_;
-  std::size_t at_ = 0;  // so many bytes are read
+  std::size_t at_ = 0;  // Bytes read.
 };
 
 void read_binary(Reader& reader, const ImageShape& shape, const TakeRow& take_row) {
@@ -142,7 +143,7 @@ void read_pgm(FileReader& file, const TakeRow& take_row) {
   if (greatest == 0) reader.fail("has a greatest value of 0", "1 to 65535");
   const ImageShape shape{static_cast<std::int32_t>(columns), static_cast<std::int32_t>(rows),
                          static_cast<std::uint32_t>(greatest)};
-  // A pixel takes a byte at least.
+  // A pixel takes at least one byte.
   check_image_bytes(shape, file.size(largest_image), static_cast<double>(columns * rows), "PGM",
                     file.name());
   if (is_binary) {

@@ -16,8 +16,8 @@
 namespace vandplan::io {
 namespace {
 
-/// A file that libpng reads from, and what it says when it gives up. libpng jumps out of its own
-/// functions to where it was called from; nothing there has a destructor that would be missed.
+/// File that libpng reads, and its error text. On an error libpng jumps (longjmp) out of its
+/// functions to the caller here; no object with a destructor is skipped.
 class PngFile {
  public:
   explicit PngFile(FileReader& file) : file_(file) {
@@ -28,7 +28,7 @@ class PngFile {
   PngFile(const PngFile&) = delete;
   PngFile& operator=(const PngFile&) = delete;
 
-  /// False when it is broken.
+  /// Reads the header. False if it is broken.
   bool read_header() {
     if (info_ == nullptr || setjmp(png_jmpbuf(png_)) != 0) return false;
     png_set_read_fn(png_, this, take);
@@ -40,10 +40,10 @@ class PngFile {
     return true;
   }
 
-  /// Once the header is known to be good.
+  /// Prepares the reading of rows. Requires a good header.
   bool begin() {
     if (setjmp(png_jmpbuf(png_)) != 0) return false;
-    png_set_expand(png_);  // palettes to colours, transparent colours to opacity, to 8 bits
+    png_set_expand(png_);  // Expands palettes, transparent colours and small depths.
     passes = png_set_interlace_handling(png_);
     png_read_update_info(png_, info_);
     channels = png_get_channels(png_, info_);
@@ -68,10 +68,10 @@ class PngFile {
 
   std::uint32_t columns = 0;
   std::uint32_t rows = 0;
-  int pixel_bits = 0;  // as they stand in the file
-  int passes = 0;      // over all rows: an interlaced image has several
+  int pixel_bits = 0;  // Bits of a pixel in the file.
+  int passes = 0;      // Passes over all rows; several if interlaced.
   int channels = 0;
-  int depth = 0;  // bits of a channel
+  int depth = 0;  // Bits of a channel.
   std::size_t row_size = 0;
 
  private:
@@ -80,7 +80,7 @@ class PngFile {
     if (const char* const problem = file->copy(to, size)) png_error(png, problem);
   }
 
-  /// What is wrong, or null. Throws nothing: a C library would be in the way.
+  /// Copies bytes; returns the problem, or null. Must not throw through the C library.
   const char* copy(png_bytep to, std::size_t size) noexcept {
     try {
       const std::string_view bytes = file_.ahead(size);
@@ -112,10 +112,10 @@ class PngFile {
       where, std::string("is a broken PNG image (") + file.problem() + "), expected a whole one");
 }
 
-/// The rows of an interlaced image are whole after its last pass alone, and all are kept until
-/// then.
+/// Throws InputError for a large interlaced image. Its rows are complete only after the last pass,
+/// so all must be kept.
 void check_interlaced(const PngFile& file, const std::string& where) {
-  constexpr double most = 1e8;  // pixels
+  constexpr double most = 1e8;  // Largest number of pixels.
   if (file.passes == 1 || static_cast<double>(file.columns) * file.rows <= most) return;
   throw InputError(where,
                    fmt::format("is {} x {} pixels and interlaced, expected at most {:.0f}, or "
@@ -123,7 +123,7 @@ void check_interlaced(const PngFile& file, const std::string& where) {
                                file.columns, file.rows, most));
 }
 
-/// Of a pixel whose channels begin at `bytes`.
+/// Brightness of a pixel whose channels begin at `bytes`.
 std::uint32_t brightness(const PngFile& file, const png_byte* bytes, Alpha alpha) {
   const auto channel = [&](int i) -> std::uint32_t {
     return file.depth == 16 ? bytes[2 * i] * 256U + bytes[2 * i + 1] : bytes[i];
@@ -136,7 +136,7 @@ std::uint32_t brightness(const PngFile& file, const png_byte* bytes, Alpha alpha
   return opacity == (1U << file.depth) - 1 ? sum : transparent_pixel;
 }
 
-/// Deflate makes no more than 1032 bytes of one.
+/// Throws InputError if the file is too small. Deflate expands a byte to at most 1032.
 void check_bytes(const PngFile& file, const ImageShape& shape, std::size_t bytes,
                  const std::string& where) {
   const double pixels = static_cast<double>(file.columns) * static_cast<double>(file.rows);

@@ -8,8 +8,9 @@
 
 namespace vandplan::io {
 
-/// Hands out the rows of a PNG file. Throws InputError if it is broken or has more pixels than
-/// `check_image_size` allows; or, interlaced, more than 10^8, as it has to be held as a whole then.
+/// Passes on the rows of a PNG file. Throws InputError if it is broken or has more pixels than
+/// `check_image_size` allows. An interlaced image is kept in memory and may have at most 10^8
+/// pixels.
 void read_png(FileReader& file, Alpha alpha, const TakeRow& take_row);
 
 }  // namespace vandplan::io

@@ -10,13 +10,13 @@
 
 namespace vandplan::io {
 
-/// A list of exactly two numbers; `expected` says what they are.
+/// A list of exactly two numbers; `expected` describes them in errors.
 [[nodiscard]] Point pair_from(const Document& file, const Node& node, const std::string& expected);
 
-/// A list [[x, y], ...].
+/// Polygon from a list [[x, y], ...].
 [[nodiscard]] Polygon polygon_from(const Document& file, const Node& node);
 
-/// That list, on one line.
+/// Polygon as a list [[x, y], ...] on one line.
 [[nodiscard]] std::string yaml_of(const Polygon& polygon);
 
 }  // namespace vandplan::io

@@ -31,8 +31,8 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// Between commas, without blanks and quotation marks; not more than one more than there are
-/// columns.
+/// Cells of a line between commas, without blanks and quotation marks. At most one more than there
+/// are columns.
 std::vector<std::string_view> cells_of(std::string_view line) {
   std::vector<std::string_view> cells;
   while (cells.size() <= columns.size()) {
@@ -55,7 +55,8 @@ bool read_number(std::string_view text, double& value) {
   return error == std::errc() && end == last && std::isfinite(value);
 }
 
-/// Whether a line names the columns: as many words, and no number. Ours have to stand in our order.
+/// Whether a line is a header: as many words as columns, and no number. Throws InputError if known
+/// columns are in another order.
 bool is_header(const std::vector<std::string_view>& cells, const std::string& where) {
   double value = 0.0;
   if (cells.size() != columns.size()) return false;
@@ -94,7 +95,7 @@ PosePair pair_from(const std::vector<std::string_view>& cells, const std::string
   return pair;
 }
 
-/// Adds a warning for the first heading that looks like degrees: the others will be likewise.
+/// Adds a warning for the first heading that looks like degrees. Others need no second warning.
 void warn_of_degrees(const PosePair& pair, const std::string& where,
                      std::vector<std::string>& warnings) {
   const std::string start = heading_doubt(pair.start.heading);

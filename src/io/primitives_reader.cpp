@@ -14,11 +14,11 @@ namespace vandplan {
 namespace io {
 namespace {
 
-constexpr double grid_rounding = 0.1;  // of the place of a vertex [steps]
-constexpr double tolerance = 0.5;      // between a piece and the poses [steps]
+constexpr double grid_rounding = 0.1;  // Largest rounding of a vertex [steps].
+constexpr double tolerance = 0.5;      // Largest distance of a pose from its piece [steps].
 constexpr double most_steps = 10'000.0;
 
-/// The vertex at the end of poses, in steps of the grid along one axis.
+/// Coordinate of the vertex at the end of the poses, along one axis [steps].
 std::int32_t steps_of(double end, double step, int line, const FailAt& fail) {
   const double steps = end / step;
   const double whole = std::round(steps);
@@ -65,7 +65,8 @@ std::shared_ptr<const search::Primitives> exact(const SampledPrimitives& sampled
                                                 const FailAt& fail) {
   std::vector<search::Primitive> all;
   for (const SampledPrimitive& one : sampled.all) {
-    if (turns_on_the_spot(one, sampled.step)) continue;  // for robots that can
+    // Only for robots that can turn on the spot.
+    if (turns_on_the_spot(one, sampled.step)) continue;
     all.push_back(exact(one, sampled, fail));
     if (!sampled.in_reverse_too) continue;
     const search::Primitive& ahead = all.back();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What have the files of primitives in common?
+// What do the files of primitives have in common?
 
 #include <functional>
 #include <memory>
@@ -12,27 +12,27 @@
 
 namespace vandplan::io {
 
-/// A primitive as a file has it: poses that were sampled along it, the first one at the origin.
+/// Primitive as a file states it: poses sampled along it, the first one at the origin.
 struct SampledPrimitive {
-  int line = 1;  ///< of the file, where it begins
+  int line = 1;  ///< Line of the file where it begins.
   std::int32_t from = 0;
   std::int32_t to = 0;
   std::vector<Pose> poses;  ///< [m, rad]
 };
 
-/// All of a file.
+/// All primitives of a file.
 struct SampledPrimitives {
-  double step = 0.0;             ///< [m]
-  std::vector<double> headings;  ///< [rad], exact
+  double step = 0.0;             ///< Distance of grid points [m].
+  std::vector<double> headings;  ///< Exact headings [rad].
   std::vector<SampledPrimitive> all;
-  bool in_reverse_too = false;  ///< whether each is also driven back
+  bool in_reverse_too = false;  ///< Whether each primitive is also driven in reverse.
 };
 
-/// Says which line is wrong, and why; throws InputError.
+/// Throws InputError naming the wrong line and the reason.
 using FailAt = std::function<void(int line, const std::string& problem)>;
 
-/// The exact primitives that pass by the poses. Throws what `fail` throws, for the first that there
-/// is none for.
+/// Exact primitives that pass the sampled poses. Calls `fail`, which throws, for the first
+/// primitive that has none.
 [[nodiscard]] std::shared_ptr<const search::Primitives> exact(const SampledPrimitives& sampled,
                                                               const FailAt& fail);
 

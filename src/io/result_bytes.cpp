@@ -22,15 +22,15 @@ using base::append;
 constexpr std::string_view magic = "vp-plans";
 constexpr std::uint32_t byte_order = 0x01020304;
 constexpr std::uint32_t version = 1;
-constexpr std::size_t largest_head = std::size_t{1} << 24;     // of a head [bytes]
-constexpr std::size_t largest_lists = std::size_t{512} << 20;  // of a result [bytes]
+constexpr std::size_t largest_head = std::size_t{1} << 24;     // Largest text of a header [bytes].
+constexpr std::size_t largest_lists = std::size_t{512} << 20;  // Largest lists of a result [bytes].
 
-/// What begins with it.
+/// First number of a record or of the end.
 enum class Mark : std::uint32_t { end, result };
 
-// What parts of a file have [bytes].
+// Sizes of the parts of a file [bytes].
 constexpr std::size_t head_size = 24;
-constexpr std::size_t record_size = 140;  // behind its mark, without its lists
+constexpr std::size_t record_size = 140;  // A record after its mark, without its lists.
 constexpr std::uint64_t segment_size = 3 * sizeof(double);
 constexpr std::uint64_t knot_size = 5 * sizeof(double);
 constexpr std::uint64_t stop_size = 5 * sizeof(double);
@@ -52,7 +52,7 @@ std::uint32_t number_of(PlanStatus status) {
   return static_cast<std::uint32_t>(std::ranges::find(all, status) - all.begin());
 }
 
-/// Behind the poses and the angle of the trailer.
+/// Appends the part of a record after the poses and the hitch angle.
 void append_result(std::string& bytes, const PlanResult& result) {
   const std::vector<Segment> none;
   const std::vector<Segment>& segments = result.path ? result.path->segments : none;
@@ -79,7 +79,7 @@ void append_result(std::string& bytes, const PlanResult& result) {
   bytes += result.reason;
 }
 
-/// The bytes of a record, one field after the other.
+/// Reads the fields of a record one by one.
 class Fields {
  public:
   Fields(const ResultBytesReader& reader, std::string_view bytes)
@@ -122,7 +122,7 @@ class Fields {
   std::size_t at_ = 0;
 };
 
-/// How long the lists of a record are.
+/// Lengths of the lists of a record.
 struct Counts {
   std::uint32_t segments, knots, stops, letters;
 

@@ -3,8 +3,8 @@
 #pragma once
 // How are the bytes of a binary result file laid out?
 //
-// A head with what all results share, a record for each of them, and a mark with a check sum;
-// everything little-endian. Layout: docs/formats.md.
+// A header with the keys that all results share, a record for each result, and an end mark with a
+// checksum. All numbers are little-endian. Layout: docs/formats.md.
 
 #include <cstdint>
 #include <optional>
@@ -17,35 +17,35 @@
 
 namespace vandplan::io {
 
-/// What the results of a file are for.
+/// Problems that the results of a file belong to.
 enum class ResultsOf : std::uint32_t { goals, pairs };
 
-/// What stands at the beginning of a file.
+/// Header of a file.
 struct ResultHead {
   ResultsOf kind = ResultsOf::goals;
-  std::string text;  ///< JSON: the keys that all results share
+  std::string text;  ///< JSON with the keys that all results share.
 };
 
-/// What the head says of results with the scenario, planner and options of this one.
+/// JSON of the header for results with the scenario, planner and options of `pattern`.
 [[nodiscard]] std::string head_text(const ResultRecord& pattern);
 
-/// What a file says of one result.
+/// One result of a file.
 struct ResultBytes {
-  std::uint64_t number = 0;  ///< of the pair or the goal, from 1
+  std::uint64_t number = 0;  ///< Number of the pair or goal, from 1.
   PosePair poses;
-  double hitch_angle = 0.0;  ///< at the start [rad]; 0 without a trailer
+  double hitch_angle = 0.0;  ///< Hitch angle at the start [rad]; 0 without a trailer.
   PlanResult result = {};
 };
 
-/// Hands out the bytes of a file as its results come.
+/// Writes a file result by result.
 class ResultBytesWriter {
  public:
   ResultBytesWriter(const ResultHead& head, TextSink sink);
 
-  /// For the pair or goal of that number, with the angle of the trailer at the start [rad].
+  /// Adds the result of the pair or goal `number`. `hitch_angle`: at the start [rad].
   void add(std::uint64_t number, const PosePair& poses, double hitch_angle,
            const PlanResult& result);
-  /// Behind the last one.
+  /// Writes the end mark. Must follow the last result.
   void end();
 
  private:
@@ -55,25 +55,25 @@ class ResultBytesWriter {
   std::uint64_t checksum_;
 };
 
-/// Reads such a file; holds one result at a time. All throw InputError naming the file, and the
-/// result that is wrong.
+/// Reads a binary result file, one result at a time. All functions throw InputError naming the file
+/// and the wrong result.
 class ResultBytesReader {
  public:
-  /// Whether a file begins like one.
+  /// Whether a file begins like a binary result file.
   [[nodiscard]] static bool begins(FileReader& file);
 
   /// `file` must outlive the reader.
   explicit ResultBytesReader(FileReader& file);
 
   [[nodiscard]] const ResultHead& head() const noexcept { return head_; }
-  /// The next result; none behind the last one, once the check sum has turned out right.
+  /// Next result; empty after the last one, if the checksum is right.
   [[nodiscard]] std::optional<ResultBytes> next();
 
-  /// Says what is wrong with the result that was read last.
+  /// Throws InputError about the result that was read last.
   [[noreturn]] void fail(const std::string& problem) const;
 
  private:
-  /// The next bytes, valid until the next call.
+  /// Next bytes, valid until the next call.
   [[nodiscard]] std::string_view take(std::size_t size);
   void read_head();
   void read_end();
@@ -81,7 +81,7 @@ class ResultBytesReader {
   FileReader& file_;
   ResultHead head_;
   std::uint64_t checksum_;
-  std::uint64_t read_ = 0;  // results
+  std::uint64_t read_ = 0;  // Number of results read.
   bool has_ended_ = false;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-// Which form has a result file, and which result comes next in it?
+// Which format does a result file have, and what is its next result?
 
 #include <fmt/format.h>
 
@@ -19,11 +19,11 @@ namespace {
 
 using namespace io;
 
-// What is read of a result [bytes]: more than `plan` writes.
+// Limits for a result [bytes]; `plan` writes less.
 constexpr std::size_t largest_result = std::size_t{2} << 30;
 constexpr std::size_t largest_result_line = std::size_t{512} << 20;
 
-/// A line with the result for a pair.
+/// A line with the result of a pair.
 struct PairLine {
   Document document;
   ListTaker lists;
@@ -41,19 +41,19 @@ bool is_blank(const std::string& line) {
   return line.find_first_not_of(" \t\r") == std::string::npos;
 }
 
-/// A line that is an object with "pair"; none if it is anything else.
+/// Result of a pair in a line; empty if the line is no object with "pair".
 std::optional<PairLine> first_pair_from(const std::string& line, const std::string& name,
                                         int number) {
   try {
     PairLine pair = pair_line_from(line, name, number);
     const Document& document = pair.document;
     if (document.find(document.root(), "pair") != nullptr) return pair;
-  } catch (const InputError&) {  // the first line of a longer text
+  } catch (const InputError&) {  // It is the first line of a longer text.
   }
   return std::nullopt;
 }
 
-/// The results of a binary file.
+/// Results of a binary file.
 class BinaryResults {
  public:
   BinaryResults(FileReader& file, const ScenarioFile& scenario)
@@ -85,7 +85,7 @@ class BinaryResults {
     return record;
   }
 
-  /// One for each goal.
+  /// All results, one for each goal.
   [[nodiscard]] std::vector<ResultRecord> all() {
     std::vector<ResultRecord> records;
     while (std::optional<PairRecord> record = next()) {
@@ -118,10 +118,10 @@ struct ResultReader::State {
 
   FileReader lines;
   const ScenarioFile& scenario;
-  std::string head = {};  ///< the first line of a file without pairs that is not blank
-  int first_line = 1;     ///< the number of that
+  std::string head = {};  ///< First line that is not blank, of a file without pairs.
+  int first_line = 1;     ///< Number of the first line that is not blank.
   bool has_pairs = false;
-  std::optional<PairLine> first = {};  ///< the first pair, until it is asked for
+  std::optional<PairLine> first = {};  ///< First pair, until it is returned.
   std::optional<BinaryResults> binary = {};
 };
 

@@ -11,13 +11,13 @@
 namespace vandplan::io {
 namespace {
 
-/// The key whose value is being read; empty if `node` is no map.
+/// Key whose value is being read; empty if `node` is no map.
 std::string_view open_key(const Node& node) {
   return node.kind == Node::Kind::map && !node.keys.empty() ? node.keys.back().text
                                                             : std::string_view();
 }
 
-/// Which result the innermost list may belong to, and how many nodes are around that.
+/// The result that an innermost list belongs to, and the number of nodes around that result.
 struct Place {
   std::size_t goal = ListTaker::alone;
   std::size_t depth = 0;
@@ -54,7 +54,7 @@ Pose node_pose(const Document& file) {
   return {file.number(items[0]), file.number(items[1]), file.number(items[2])};
 }
 
-/// The parent of node number `index`.
+/// Parent of node number `index`.
 std::int32_t parent_from(const Document& file, std::size_t index) {
   const std::int64_t parent = file.integer(file.root());
   if (parent >= static_cast<std::int64_t>(index) || parent < -1) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-// In which form does a result get into its file?
+// Which format does a result file get, and how is it written?
 
 #include <algorithm>
 #include <memory>
@@ -16,7 +16,7 @@ namespace {
 
 using namespace io;
 
-/// The goal that the path ends at; some goal of the scenario if there is no path.
+/// Goal that the path reaches; without a path, some goal of the scenario.
 Pose goal_of(const Scenario& scenario, const PlanResult& result) {
   if (scenario.goal_set.empty()) return scenario.goal;
   const bool is_known = result.check && result.check->goal;

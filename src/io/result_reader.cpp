@@ -72,7 +72,7 @@ std::vector<CostSample> anytime_from(const Document& file, const Node& node) {
   return samples;
 }
 
-/// The tree, whose lists were taken before.
+/// The tree of a result, whose lists were taken before.
 TreeSnapshot tree_from(const Document& file, const Node& node, TreeSnapshot tree) {
   (void)file.list(file.at(node, "poses"), "a list of poses");
   const Node& parents = file.at(node, "parents");
@@ -84,7 +84,7 @@ TreeSnapshot tree_from(const Document& file, const Node& node, TreeSnapshot tree
   return tree;
 }
 
-/// What is worth knowing but may be missing.
+/// Reads statistics, all of which may be missing.
 void read_statistics(const Document& file, const Node& node, PlanResult& result,
                      ResultLists& lists) {
   if (const Node* const cost = file.find(node, "cost")) result.cost = file.number(*cost);
@@ -107,7 +107,7 @@ void read_statistics(const Document& file, const Node& node, PlanResult& result,
   }
 }
 
-/// Throws for the first option that no planner could have been given.
+/// Throws InputError for the first option whose value no planner accepts.
 void expect_in_range(const Document& file, const Node& node, const PlanOptions& options) {
   try {
     validate(options);
@@ -116,14 +116,14 @@ void expect_in_range(const Document& file, const Node& node, const PlanOptions& 
   }
 }
 
-/// Reads a price; null, as a price that nobody set is written, leaves it as it is.
+/// Reads a price. Null, which stands for a price that was not set, leaves it unchanged.
 void read_price(const Document& file, const Node& node, const char* key,
                 std::optional<double>& price) {
   const Node* const given = file.find(node, key);
   if (given != nullptr && given->kind != Node::Kind::nothing) price = file.number(*given);
 }
 
-/// What the path is held to; the length alone where a file names no price.
+/// Reads the options that rate a path. Without prices the cost is the length.
 void read_options(const Document& file, const Node& node, PlanOptions& options) {
   CostOptions& cost = options.cost;
   read_price(file, node, "forward_weight", cost.forward_weight);
@@ -173,7 +173,7 @@ void read_options(const Document& file, const Node& node, PlanOptions& options) 
   expect_in_range(file, node, options);
 }
 
-/// The options that have a value, by their names.
+/// Options that have a value, by name.
 std::vector<Setting> stated_options(const Node& options) {
   std::vector<Setting> stated;
   for (std::size_t i = 0; i < options.items.size(); ++i) {
@@ -219,7 +219,7 @@ PathClaims claims_from(const Document& file, const Node& node, ResultLists& list
   return claims;
 }
 
-/// The goal of a set that the path ends at. In a line for a pair `goal` is a pose alone.
+/// Goal of a set that the path ends at. In a line for a pair, `goal` is only a pose and gives none.
 std::optional<ReachedGoal> goal_from(const Document& file, const Node& node) {
   const Node* const goal = file.find(node, "goal");
   const Node* const index = goal == nullptr ? nullptr : file.find(*goal, "index");
@@ -227,7 +227,7 @@ std::optional<ReachedGoal> goal_from(const Document& file, const Node& node) {
   return ReachedGoal{file.count(*index), pose_from(file, *goal)};
 }
 
-/// Which run it was.
+/// Scenario, planner and seed of a result.
 ResultRecord run_from(const Document& file, const Node& node) {
   ResultRecord record;
   if (const Node* const name = file.find(node, "scenario")) record.scenario = file.text(*name);
@@ -237,7 +237,7 @@ ResultRecord run_from(const Document& file, const Node& node) {
   return record;
 }
 
-/// What the path is held to, and the claims that follow.
+/// Reads the rules that the path must obey, and the claims that follow from them.
 void read_rules(const Document& file, const Node& node, ResultRecord& record) {
   record.options.cost = shortest_style;
   record.stated.emplace();

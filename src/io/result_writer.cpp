@@ -24,11 +24,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double pose_distance = 0.1;  // at most between neighbouring poses of a file [m]
+constexpr double pose_distance = 0.1;  // Largest distance of neighbouring poses in a file [m].
 
 Json json_of(const Pose& pose) { return {{"x", pose.x}, {"y", pose.y}, {"heading", pose.heading}}; }
 
-/// A start, with the angle of the trailer if there is one.
+/// JSON of a start, with the hitch angle if there is a trailer.
 Json json_of_start(const Pose& pose, const Vehicle& vehicle, double hitch_angle) {
   Json json = json_of(pose);
   if (vehicle.trailer) json["hitch_angles"] = Json::array({hitch_angle});
@@ -53,12 +53,12 @@ Json json_of(const Segment& segment, double radius) {
 
 enum class Layout { lines, one_line };
 
-/// What is between the elements of a list or object on one line, and after a key.
+/// Separator between the elements of a list or object on one line.
 std::string_view comma_of(Layout layout) { return layout == Layout::one_line ? "," : ", "; }
 std::string_view colon_of(Layout layout) { return layout == Layout::one_line ? ":" : ": "; }
 
-/// Numbers as `Json` writes them. A file may hold millions: values of their own, with a key for
-/// each, would take ten times as long.
+/// Appends a number as `Json` writes it. A file may hold millions of numbers; JSON values for all
+/// of them would be ten times slower.
 void append_number(std::string& text, double value) {
   if (!std::isfinite(value)) {
     text += "null";
@@ -70,7 +70,7 @@ void append_number(std::string& text, double value) {
   text.append(digits.data(), static_cast<std::size_t>(end - digits.data()));
 }
 
-/// `hitch_angle` is null without a trailer.
+/// JSON of a pose on a path. `hitch_angle` is null without a trailer.
 std::string text_of(const PathPoint& point, const double* hitch_angle, Layout layout) {
   std::string text = "{";
   const auto append = [&](std::string_view key, double value) {
@@ -92,7 +92,7 @@ std::string text_of(const PathPoint& point, const double* hitch_angle, Layout la
   return text.append(std::to_string(point.direction)).append("}");
 }
 
-/// A node of a tree.
+/// JSON of a node of a tree.
 std::string text_of(const Pose& pose, Layout layout) {
   std::string text = "[";
   append_number(text, pose.x);
@@ -104,14 +104,14 @@ std::string text_of(const Pose& pose, Layout layout) {
   return text;
 }
 
-/// Which long lists the records of a file state.
+/// Which long lists the records of a file contain.
 struct Extent {
   bool poses = true;
   bool trees = true;
 };
 
 Extent extent_of(std::span<const ResultRecord> records) {
-  double poses = 0.0;  // that `sampled` has, at most
+  double poses = 0.0;  // Upper bound on the poses of `sampled`.
   std::size_t nodes = 0;
   for (const ResultRecord& record : records) {
     if (record.result.tree) nodes += record.result.tree->poses.size();
@@ -124,7 +124,8 @@ Extent extent_of(std::span<const ResultRecord> records) {
   return {poses <= static_cast<double>(most_written_poses), nodes <= most_written_nodes};
 }
 
-/// The records of a file as JSON, but for the lists that may be long: their places stay open.
+/// Records of a file as JSON. Places of long lists stay open and are filled when the text is
+/// written.
 class Results {
  public:
   Results(std::span<const ResultRecord> records, Layout layout)
@@ -134,12 +135,12 @@ class Results {
 
   using Add = std::function<void(std::string_view element)>;
   struct LongList {
-    bool is_flat;                         ///< its elements go on one line
-    std::function<void(const Add&)> all;  ///< adds the texts of its elements one after the other
+    bool is_flat;                         ///< Whether the elements go on one line.
+    std::function<void(const Add&)> all;  ///< Calls `Add` with the text of each element.
   };
 
   Json json_of_record(const Vehicle& vehicle, double hitch_angle, const ResultRecord& record);
-  /// The list of an open place; they follow one another as the places do.
+  /// List of the next open place. Places are visited in their order.
   const LongList& next_list() { return lists_.at(next_++); }
 
  private:
@@ -266,7 +267,7 @@ Json Results::json_of_record(const Vehicle& vehicle, double hitch_angle,
     if (result.goal) json["goal"] = json_of(*result.goal);
     if (result.check) {
       json["reverse_length"] = result.check->reverse_length;
-      // JSON has no infinity: without obstacles there is no clearance.
+      // JSON has no infinity, the clearance without obstacles.
       const std::optional<double>& clearance = result.check->clearance;
       if (clearance && std::isfinite(*clearance)) json["clearance"] = *clearance;
     }
@@ -284,7 +285,7 @@ Json Results::json_of_record(const Vehicle& vehicle, double hitch_angle,
   return json;
 }
 
-/// Whether it goes on one line: nothing in it holds anything.
+/// Whether a value goes on one line, because none of its elements contains anything.
 bool is_flat(const Json& json) {
   return std::none_of(json.begin(), json.end(), [](const Json& item) {
     return item.is_discarded() || (item.is_structured() && !item.empty());
@@ -296,8 +297,8 @@ std::string text_of_scalar(const Json& json) {
   return json.is_string() ? base::json_text(text) : text;
 }
 
-/// Hands out JSON as it comes: one line for whatever is flat, else one line per element; or all of
-/// it on one line.
+/// Writes JSON piece by piece: flat values on one line, others with one element a line; or
+/// everything on one line.
 class Writer {
  public:
   Writer(Results& results, const TextSink& sink)
@@ -310,7 +311,7 @@ class Writer {
   }
 
  private:
-  /// The brackets around elements, and what is between these.
+  /// Brackets around elements that are being written.
   struct Frame {
     bool is_flat;
     std::string indent;
@@ -360,7 +361,8 @@ class Writer {
     text_ += bracket;
   }
 
-  static constexpr std::size_t most_kept = std::size_t{1} << 16;  // [bytes]
+  // Size of the text that is kept [bytes].
+  static constexpr std::size_t most_kept = std::size_t{1} << 16;
 
   Results& results_;
   bool is_compact_;
@@ -368,7 +370,7 @@ class Writer {
   std::string text_;
 };
 
-/// What `write` hands out, in one piece.
+/// Everything that `write` passes to its sink, as one text.
 template <class Write>
 std::string collected(const Write& write) {
   std::string text;

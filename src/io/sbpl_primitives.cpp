@@ -2,9 +2,9 @@
 // Copyright (c) 2026, the Vändplan authors
 // How are the primitives of SBPL read?
 //
-// Lines "key: values": the resolution, how many headings and primitives there are; then of each
-// primitive its number, headings, end and poses, one a line. What else there is (prices, radii) is
-// passed over: our lattices plan by length, and headings and radii are those of the poses.
+// Lines "key: values": the resolution and the numbers of headings and primitives. Then each
+// primitive: its number, headings, end and poses, one a line. Prices and radii are ignored:
+// lattices here plan by length, and headings and radii come from the poses.
 
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ constexpr std::int64_t most_primitives = 100'000;
 constexpr std::int64_t most_headings = 1000;
 constexpr std::int64_t most_poses = 10'000;
 
-/// The lines of a file that are not empty, one after the other.
+/// Non-empty lines of a file, read one by one.
 class Lines {
  public:
   Lines(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
@@ -35,7 +35,7 @@ class Lines {
     throw InputError(fmt::format("{}:{}", name_, line), problem);
   }
 
-  /// So many numbers behind "key:"; other keys before it are passed over.
+  /// The `count` numbers after "key:". Ignorable keys before it are skipped.
   std::vector<double> values(std::string_view key, std::size_t count) {
     for (;;) {
       const std::string_view line = next(fmt::format("\"{}:\"", key));
@@ -48,7 +48,7 @@ class Lines {
     }
   }
 
-  /// So many numbers on a line of their own.
+  /// The `count` numbers on a line of their own.
   std::vector<double> values(std::size_t count) { return numbers(next("a pose"), count); }
 
   std::int64_t whole(std::string_view key, std::int64_t least, std::int64_t most) {

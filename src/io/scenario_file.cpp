@@ -65,7 +65,7 @@ bool unknown_from(const Document& file, const Node& node) {
   return text == "free";
 }
 
-/// An option that some planner honours, its value one that it takes.
+/// An option that some planner accepts, with a valid value.
 Setting setting_from(const Document& file, const Node& map, std::size_t i) {
   const Node& value = map.items[i];
   Setting setting{map.keys[i].text, file.text(value)};
@@ -94,24 +94,24 @@ std::vector<Setting> settings_from(const Document& file, const Node& node) {
 
 using Map = std::optional<OccupancyGrid>;
 
-/// The map that a scenario names, relative to itself.
+/// Map that a scenario names; the name is relative to the scenario's file.
 OccupancyGrid map_of(const Document& file, const Node& node, const std::string& where,
                      std::vector<std::string>& warnings) {
   const auto path = std::filesystem::path(where).parent_path() / file.text(node);
   try {
     return io::map_from(path.string(), warnings);
   } catch (const InputError& error) {
-    if (error.where() != path.string()) throw;  // in the map and not the file as such
+    if (error.where() != path.string()) throw;  // The error is in the map, not in opening the file.
     file.fail(node, error.what());
   }
 }
 
-/// Whether the vehicle may be anywhere on the map.
+/// Whether the map has a cell where the vehicle may be.
 bool has_free_cell(const OccupancyGrid& map) {
   return map.unknown_is_free || std::ranges::find(*map.cells, Cell::free) != map.cells->end();
 }
 
-/// Map, bounds, obstacles and kerbs; with a map the others may be left out.
+/// Reads map, bounds, obstacles and kerbs. With a map the others may be missing.
 void read_ground(const Document& file, const std::string& where, const Map& known,
                  ScenarioFile& result) {
   Scenario& scenario = result.scenario;
@@ -202,7 +202,7 @@ ScenarioFile scenario_from(const Document& file, const std::string& where, const
   return result;
 }
 
-/// Names where the file has what a problem of its row calls "goal" or "obstacles[5]".
+/// Key in the file for a key in the problem of goal `i`, such as "goal" or "obstacles[5]".
 std::string key_in_row(const ScenarioFile& file, std::size_t i, const std::string& key) {
   const std::string goal = "goals[" + std::to_string(i) + "]";
   if (key.starts_with("goal")) return goal + "." + key;
@@ -252,7 +252,7 @@ void check(const ScenarioFile& file) {
 
 std::string name_of_file(const std::string& file) { return file == "-" ? "standard input" : file; }
 
-/// A double-quoted YAML scalar.
+/// Text as a double-quoted YAML scalar.
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
@@ -268,7 +268,7 @@ std::string quoted(const std::string& text) {
   return result + '"';
 }
 
-/// The value of an `obstacles` key and the end of its line.
+/// Value of an `obstacles` key, up to the end of its lines.
 std::string yaml_of(const std::vector<Polygon>& polygons, const std::string& indent) {
   if (polygons.empty()) return " []\n";
   std::string text = "\n";

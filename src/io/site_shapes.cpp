@@ -7,7 +7,7 @@
 namespace vandplan::io {
 namespace {
 
-/// The line without corners that repeat the one before.
+/// The line without corners that repeat the corner before.
 std::vector<Point> without_repeats(std::span<const Point> line) {
   std::vector<Point> corners;
   for (const Point& point : line) {
@@ -29,7 +29,7 @@ std::vector<Polygon> walls_along(std::span<const Point> line, double width) {
     const double x = to.x - from.x;
     const double y = to.y - from.y;
     const double factor = width / 2 / std::sqrt(x * x + y * y);
-    const Point along = {x * factor, y * factor};  // half of the width
+    const Point along = {x * factor, y * factor};  // Half the width long.
     const double before = is_closed || i > 0 ? 1.0 : 0.0;
     const double behind = is_closed || i + 2 < corners.size() ? 1.0 : 0.0;
     const Point a = {from.x - before * along.x, from.y - before * along.y};

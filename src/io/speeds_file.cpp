@@ -9,7 +9,7 @@
 namespace vandplan::io {
 namespace {
 
-/// A number that may be missing: 0 then.
+/// A number, 0 if it is missing.
 double number_or_zero(const Document& file, const Node& node, std::string_view key) {
   const Node* const found = file.find(node, key);
   return found == nullptr ? 0.0 : file.number(*found);

@@ -14,7 +14,7 @@ std::string read_table_file(const std::string& file) {
   constexpr std::size_t any = std::size_t{1} << 20;
   while (bytes.size() < table_file_head_size && input.append_to(bytes, any)) {
   }
-  // A head that is not ours ends it before more is read.
+  // A wrong header throws before more is read.
   const std::size_t promised = table_file_head(bytes, input.name()).bytes;
   input.expect_at_most(bytes.size(), promised);
   while (input.append_to(bytes, promised)) {

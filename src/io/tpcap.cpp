@@ -2,8 +2,8 @@
 // Copyright (c) 2026, the Vändplan authors
 // How is a case of the Trajectory Planning Competition for Automated Parking 2022 read?
 //
-// Numbers with commas between them: start x, y, heading; goal x, y, heading; number of obstacles;
-// the number of corners of each; the corners' x, y. Vehicle and bounds are not in the file.
+// Numbers separated by commas: start x, y, heading; goal x, y, heading; number of obstacles; number
+// of corners of each obstacle; x, y of the corners. The file has no vehicle and no bounds.
 
 #include <fmt/format.h>
 
@@ -23,9 +23,9 @@ namespace {
 
 using namespace io;
 
-constexpr double margin = 20.0;  // between what is in the file and the bounds [m]
+constexpr double margin = 20.0;  // Distance between the contents of the file and the bounds [m].
 
-/// The values of a file, one by one.
+/// Values of a file, read one by one.
 class Values {
  public:
   Values(const std::string& text, std::string file) : text_(text), file_(std::move(file)) {}
@@ -41,7 +41,7 @@ class Values {
     return value;
   }
 
-  /// A whole number that what is left of the file has room for.
+  /// A whole number, at most the number of characters left in the file.
   std::size_t count(const std::string& name) {
     const double value = number(name);
     if (!(value >= 0 && value == std::floor(value) &&
@@ -63,7 +63,7 @@ class Values {
 
   [[nodiscard]] std::string where() const { return fmt::format("{}:{}", file_, line_); }
 
-  /// The text from the next value on.
+  /// Text from the next value on.
   std::string_view rest() {
     while (at_ < text_.size() && separates(text_[at_])) {
       if (text_[at_] == '\n') ++line_;
@@ -97,7 +97,7 @@ class Values {
   std::string file_;
   std::size_t at_ = 0;
   int line_ = 1;
-  std::size_t read_ = 0;  // values so far
+  std::size_t read_ = 0;  // Values read so far.
 };
 
 Pose pose_from(Values& values, const std::string& name) {
@@ -124,7 +124,7 @@ std::vector<Polygon> obstacles_from(Values& values) {
   return obstacles;
 }
 
-/// Around all that is in the scenario, rounded to millimetres.
+/// Box around everything in the scenario plus `margin`, rounded to millimetres.
 Bounds bounds_around(const Scenario& scenario) {
   std::vector<Point> points = {{scenario.start.x, scenario.start.y},
                                {scenario.goal.x, scenario.goal.y}};

@@ -41,9 +41,9 @@ double turning_radius_from(const Document& file, const Node& node, double wheelb
             "key \"min_turning_radius\" is missing, expected either it or max_steering_angle");
 }
 
-/// Lengths and outline of the body of a vehicle or a trailer, whose front is `wheelbase` ahead of
-/// its axle where there is no overhang. With an outline the lengths of the body may be left out:
-/// they are those of the box around it then.
+/// Reads lengths and outline of the body of a vehicle or trailer. Without an overhang its front is
+/// `wheelbase` ahead of the axle. With an outline the lengths may be missing; they are then those
+/// of the box around it.
 void read_body(const Document& file, const Node& node, auto& body) {
   body.wheelbase = file.number(file.at(node, "wheelbase"));
   const Node* const outline = file.find(node, "outline");
@@ -72,7 +72,7 @@ Trailer trailer_from(const Document& file, const Node& node) {
   return trailer;
 }
 
-/// The trailer, and how it hangs on the vehicle.
+/// Reads the trailer and its hitch.
 void read_trailer(const Document& file, const Node& node, Vehicle& vehicle) {
   const Node* const trailers = file.find(node, "trailers");
   if (trailers == nullptr) {
@@ -111,12 +111,12 @@ Vehicle lengths_from(const Document& file, const Node& node) {
   return vehicle;
 }
 
-/// Takes the number over if the key is there.
+/// Reads a limit if the key is there.
 void read_limit(const Document& file, const Node& node, std::string_view key, double& limit) {
   if (const Node* const found = file.find(node, key)) limit = file.number(*found);
 }
 
-/// A limit that may be none.
+/// Reads a limit that may be `none`.
 void read_limit(const Document& file, const Node& node, std::string_view key,
                 std::optional<double>& limit) {
   const Node* const found = file.find(node, key);
@@ -125,7 +125,7 @@ void read_limit(const Document& file, const Node& node, std::string_view key,
   limit = is_none ? std::nullopt : std::optional(file.number(*found));
 }
 
-/// Takes over what is given of the limits.
+/// Reads the limits that are given.
 void read_limits(const Document& file, const Node& node, DrivingLimits& limits) {
   read_limit(file, node, "max_steering_rate", limits.max_steering_rate);
   read_limit(file, node, "max_curvature_rate", limits.max_curvature_rate);
@@ -153,7 +153,7 @@ Vehicle read(const EmbeddedVehicle& vehicle) {
   return read;
 }
 
-/// The limits that a vehicle with these lengths has unless a file says otherwise.
+/// Limits that a vehicle with these lengths has if a file does not state them.
 DrivingLimits usual_limits(const Vehicle& vehicle) {
   static const auto catalogue = [] {
     std::vector<Vehicle> vehicles;
@@ -166,14 +166,14 @@ DrivingLimits usual_limits(const Vehicle& vehicle) {
   return {};
 }
 
-/// ", key: value" where the value is not the usual one.
+/// Appends ", key: value" if the value is not the usual one.
 void add_limit(std::string& text, std::string_view key, const std::optional<double>& value,
                const std::optional<double>& usual) {
   if (value == usual) return;
   text += fmt::format(", {}: {}", key, value ? fmt::format("{}", *value) : "none");
 }
 
-/// The limits that `usual_limits` does not know.
+/// Limits that differ from `usual_limits`, as YAML.
 std::string yaml_of_limits(const Vehicle& vehicle) {
   const DrivingLimits& limits = vehicle.limits;
   const DrivingLimits usual = usual_limits(vehicle);
@@ -192,12 +192,12 @@ std::string yaml_of_limits(const Vehicle& vehicle) {
   return text;
 }
 
-/// ", outline: [[x, y], ...]" if there is one.
+/// Appends an outline as ", outline: [[x, y], ...]"; empty if there is none.
 std::string yaml_of_outline(const Polygon& outline) {
   return outline.empty() ? "" : ", outline: " + yaml_of(outline);
 }
 
-/// The hitch and what hangs on it; empty without a trailer.
+/// Hitch and trailer as YAML; empty without a trailer.
 std::string yaml_of_trailer(const Vehicle& vehicle) {
   if (!vehicle.trailer) return "";
   const Trailer& trailer = *vehicle.trailer;

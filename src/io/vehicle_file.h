@@ -10,16 +10,14 @@
 
 namespace vandplan::io {
 
-/// A map of lengths and limits, or the name of a vehicle of the catalogue. Limits that the map
-/// lacks are those of the vehicle of the catalogue with these lengths; if there is none, the
-/// defaults.
-/// The vehicle of a map of lengths, of a name, or of a file, whose name is relative to the file
-/// `where`.
+/// Vehicle from a map of lengths and limits, a name of the catalogue, or a file, whose name is
+/// relative to the file `where`. Limits that the map lacks are those of the catalogue's vehicle
+/// with these lengths. If there is none, they are the defaults.
 [[nodiscard]] Vehicle vehicle_from(const Document& file, const Node& node,
                                    const std::string& where);
 
-/// The map of lengths that `vehicle_from` reads back exactly, with the limits that it would not
-/// find out itself.
+/// Map of lengths that `vehicle_from` reads back exactly. It names only limits that differ from
+/// those that `vehicle_from` would assume.
 [[nodiscard]] std::string yaml_of(const Vehicle& vehicle);
 
 }  // namespace vandplan::io

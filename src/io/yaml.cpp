@@ -2,8 +2,8 @@
 // Copyright (c) 2026, the Vändplan authors
 // How does YAML text become a document?
 //
-// From the events of the parser instead of its own tree: they tell quoted scalars from plain ones,
-// show aliases before anything multiplies, and have a line for everything.
+// Built from the parser's events, not from its tree. The events tell quoted scalars from plain
+// ones, show aliases before anything is copied, and have a line for everything.
 
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/exceptions.h>
@@ -23,11 +23,12 @@
 namespace vandplan::io {
 namespace {
 
-/// Throws at what YAML forbids and the parser would take for an end of the file or worse, and where
-/// there must be too many values: the parser may keep all of a line before it tells of the first.
+/// Throws InputError for characters that YAML forbids, which the parser could take for the end of
+/// the file. Also throws for too many values, since the parser may store a whole line before its
+/// first event.
 void check_characters(std::string_view text, const NodeBuilder& builder) {
   int line = 1;
-  std::size_t values = 0;  // at least, in lists and maps with brackets
+  std::size_t values = 0;  // Lower bound on the values in bracketed lists and maps.
   for (std::size_t i = 0; i < text.size();) {
     const char c = text[i];
     const auto byte = static_cast<unsigned char>(c);
@@ -40,7 +41,7 @@ void check_characters(std::string_view text, const NodeBuilder& builder) {
   }
 }
 
-/// A mark of lists of numbers is not where those lists would be a value of their own.
+/// Thrown if the mark of number lists is not a value of its own.
 class MisplacedMark : public std::runtime_error {
  public:
   MisplacedMark() : std::runtime_error("lists of numbers within a scalar") {}
@@ -84,13 +85,13 @@ class YamlEvents : public YAML::EventHandler {
  private:
   static int line(const YAML::Mark& mark) { return mark.is_null() ? 1 : mark.line + 1; }
 
-  /// "?" is a plain value and "!" a quoted one.
+  /// Throws for tags. "?" marks a plain value and "!" a quoted one.
   void check_tag(const YAML::Mark& mark, const std::string& tag) const {
     if (tag.empty() || tag == "?" || tag == "!") return;
     builder_.fail(line(mark), "has a tag (!name), expected the value alone");
   }
 
-  /// Those that a scalar stands for.
+  /// Passes on the lists that a mark replaces.
   void replay_lists(const std::string& value, bool is_quoted, int line) {
     std::size_t number = 0;
     (void)std::from_chars(value.data() + 1, value.data() + value.size(), number);
@@ -105,7 +106,7 @@ class YamlEvents : public YAML::EventHandler {
   std::size_t replayed_ = 0;
 };
 
-/// The first line up to `last` that has a tab before anything else; 0: there is none.
+/// First line up to `last` that has a tab in its indentation; 0 if there is none.
 int line_with_tab(std::string_view text, int last) {
   for (int line = 1; line <= last && !text.empty(); ++line) {
     const std::size_t end = std::min(text.find('\n'), text.size());
@@ -116,7 +117,7 @@ int line_with_tab(std::string_view text, int last) {
   return 0;
 }
 
-/// `lists` are those that the text has marks for.
+/// `lists`: the lists that marks in the text stand for.
 Document parse(const std::string& text, const std::vector<NumberLists>& lists,
                const std::string& where) {
   NodeBuilder builder(where);
@@ -141,8 +142,8 @@ Document parse(const std::string& text, const std::vector<NumberLists>& lists,
   return {where, builder.finish()};
 }
 
-/// What a text says, if all of its lists of numbers stand where they look like standing, and
-/// nothing is wrong.
+/// Document of a text, read with its number lists replaced by marks. Empty if that fails for any
+/// reason.
 std::optional<Document> parse_shortened(const std::string& text, const std::string& where) {
   try {
     const ShortenedText shortened = without_number_lists(text);

@@ -12,16 +12,17 @@
 namespace vandplan::judge {
 namespace {
 
-constexpr double look_distance = 1e-3;    // of any point of a body between two looks [m]
-constexpr double clearance_error = 1e-3;  // of the clearance reported [m]
+// Largest motion of any point of a body between two looks [m].
+constexpr double look_distance = 1e-3;
+constexpr double clearance_error = 1e-3;  // largest error of the reported clearance [m]
 
 bool is_before(const Place& a, const Place& b) {
   return std::tie(a.stretch, a.t) < std::tie(b.stretch, b.t);
 }
 
-/// A part of a stretch.
+/// Part of a stretch.
 struct Part {
-  double bound = 0.0;  ///< nothing is nearer anywhere on it [m]
+  double bound = 0.0;  ///< lower bound of the clearance on the part [m]
   std::size_t stretch = 0;
   Real begin = 0;
   Real end = 0;
@@ -38,11 +39,12 @@ class Survey {
   Survey(const Body& body, const Keeping& keeping)
       : body_(body), track_(body.track), keeping_(keeping) {}
 
-  /// Both lower `least`, until it is 0: then `touch` is where that was seen.
+  /// Look at the ends of all stretches, and between them. Both lower `least`; if it becomes 0,
+  /// `touch` is the place.
   void look_at_ends();
   void look_between();
 
-  /// The first place where something is touched, if nothing else then `known`.
+  /// First place where the body touches an obstacle; `known` is one such place.
   [[nodiscard]] Place first_touch(const Place& known);
 
   [[nodiscard]] double least() const { return least_; }
@@ -57,7 +59,7 @@ class Survey {
     if (keeping_.ramps.empty()) return keeping_.margin;
     return keeping_.most_within(after(track_.stretches[place.stretch], place.t), half);
   }
-  /// Of the clearance, what goes beyond that.
+  /// Clearance beyond the required distance [m]: at least 0, cut off at `most`.
   [[nodiscard]] double clearance(const Onlooker& there, const Place& place, double half,
                                  double most);
   [[nodiscard]] double clearance(const Place& place, double most) {
@@ -70,11 +72,11 @@ class Survey {
   [[nodiscard]] bool does_not_matter(double bound) const {
     return bound > 0 && bound >= least_ - clearance_error;
   }
-  /// Whether the body passes it before any of its points has moved by more than `look_distance`.
+  /// Whether no point of the body moves more than `look_distance` on the part.
   [[nodiscard]] bool is_short(const Part& part) const {
     return static_cast<double>(part.end - part.begin) * speed_on(part) <= look_distance;
   }
-  /// No point of the body moves further than this for each metre driven.
+  /// Upper bound of the motion of any point of the body on the part, per metre driven.
   [[nodiscard]] double speed_on(const Part& part) const {
     return speed_of(body_, track_.stretches[part.stretch]);
   }
@@ -85,7 +87,7 @@ class Survey {
   }
   void look(const Place& place) { look(onlooker_at(body_, place), place); }
   [[nodiscard]] std::optional<Place> first_touch_on(const Part& part, const Place& known);
-  /// The first touch on a short part, of which a place is known that touches.
+  /// First touch on a short part; the body touches at place `last`.
   [[nodiscard]] Place contact(const Part& part, const Place& last);
 
   const Body& body_;
@@ -151,11 +153,11 @@ std::optional<Place> Survey::first_touch_on(const Part& part, const Place& known
   return first_touch_on({0, part.stretch, middle.t, part.end}, known);
 }
 
-/// Goes on by the clearance, so as not to pass the first touch; where that takes too many steps it
-/// is no more than half of `look_distance` late.
+/// Steps as long as the clearance cannot pass the first touch. If there are too many steps, the
+/// result is late by at most half of `look_distance`.
 Place Survey::contact(const Part& part, const Place& last) {
   constexpr int most_steps = 100;
-  constexpr double least_step = 1e-12;  // of any point of the body [m]
+  constexpr double least_step = 1e-12;  // least motion of any point of the body in a step [m]
   Place place{part.stretch, part.begin};
   for (int i = 0; i < most_steps && is_before(place, last); ++i) {
     const double distance = clearance(place, look_distance);

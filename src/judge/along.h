@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How near does the vehicle come to things on its way, in the eyes of the judge?
+// How near does the vehicle come to obstacles along its path, in the eyes of the judge?
 //
-// Method and proof: docs/algorithms/path_check.md.
+// Method: docs/algorithms/path_check.md; proof: docs/proofs/judge.md.
 
 #include <optional>
 #include <vector>
@@ -13,32 +13,33 @@
 
 namespace vandplan::judge {
 
-/// Around a place less will do: `least` there, growing evenly with the distance of the rear axle up
-/// to the margin at `reach` [m].
+/// Reduced margin around a place: `least` [m] at `centre`, growing linearly with the distance of
+/// the rear axle up to the margin at `reach` [m].
 struct Ramp {
   Position centre;
   double least = 0.0;
   double reach = 1.0;
 };
 
-/// How far the vehicle, and what it pulls, must stay from things.
+/// Distance that the vehicle and its trailer must keep from obstacles.
 struct Keeping {
-  double margin = 0.0;  ///< [m]
+  double margin = 0.0;  ///< margin away from all ramps [m]
   std::vector<Ramp> ramps = {};
 
-  /// The most that is asked for up to `half` metres from a place [m].
+  /// Upper bound of the required distance at places up to `half` metres from `place` [m].
   [[nodiscard]] double most_within(const Position& place, double half) const;
 };
 
 struct Nearest {
-  /// The least on the way beyond what must be kept, to 1 mm [m]; infinity if there is nothing.
+  /// Least clearance along the path, less the required distance [m]. It is at most 1 mm too large,
+  /// and infinity without obstacles.
   double clearance = 0.0;
-  std::optional<Place> touch;  ///< the first on the way; none if `clearance` is above 0
+  std::optional<Place> touch;  ///< first touch along the path; none if `clearance` is above 0
   Effort effort;
 };
 
-/// Looks wherever a point of the vehicle has moved by a millimetre, except where nothing can be
-/// nearer than what is known.
+/// Least clearance of a body along its track. The judge looks wherever a point of the body has
+/// moved by a millimetre, except where no obstacle can be nearer than the least clearance so far.
 [[nodiscard]] Nearest nearest_along(const Body& body, const Keeping& keeping = {});
 
 }  // namespace vandplan::judge

@@ -8,10 +8,10 @@
 namespace vandplan::judge {
 namespace {
 
-// A bar holds its points whatever was rounded, here and when it is looked at: this much for each
-// metre of coordinates, which is many times what a double loses.
+// Enlargement of a bar per metre of coordinates, so that it contains its points in spite of
+// rounding. It is many times the rounding error of a double.
 constexpr double slack = 1e-14;
-// A bar of at most this part of a disc's radius is worth its trouble.
+// Largest radius of a bar as a share of the disc's radius; wider bars gain too little.
 constexpr double narrow = 0.25;
 
 double length_of(double dx, double dy) { return std::sqrt(dx * dx + dy * dy); }
@@ -20,14 +20,14 @@ double reach_of_coordinates(const Point& middle, double radius) {
   return std::abs(middle.x) + std::abs(middle.y) + radius;
 }
 
-/// Points as seen from a middle, along the axis that they lie along best.
+/// Extent of points from a middle, along their principal axis and across it [m].
 struct Extent {
   Point axis;
   double back = 0.0, ahead = 0.0;
   double right = 0.0, left = 0.0;
 };
 
-/// Of an angle, given the cosine and sine of its double, as many times as long as anybody likes.
+/// Unit vector at an angle. The arguments are cosine and sine of twice the angle, times any factor.
 Point axis_of(double cos, double sin) {
   const double length = std::sqrt(cos * cos + sin * sin);
   if (!(length > 0)) return {1, 0};
@@ -75,7 +75,7 @@ Bar bar_of(std::span<const Point> points) {
   const double radius = (left - right) / 2;
   if (radius > narrow * disc.radius) return disc;
   const double aside = (left + right) / 2;
-  const auto at = [&, axis = axis](double along) {  // clang 14 captures no bindings by itself
+  const auto at = [&, axis = axis](double along) {  // clang 14 cannot capture structured bindings
     return Point{disc.a.x + along * axis.x - aside * axis.y,
                  disc.a.y + along * axis.y + aside * axis.x};
   };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which bar do points fit in?
+// Which bar contains a set of points?
 
 #include <algorithm>
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace vandplan::judge {
 
-/// A box that grows with what is put into it.
+/// Bounding box of the points that are added to it.
 struct Box {
   Point low, high;
 
@@ -24,14 +24,14 @@ struct Box {
     add(box.high);
   }
   [[nodiscard]] Point middle() const { return {(low.x + high.x) / 2, (low.y + high.y) / 2}; }
-  /// The longer side [m].
+  /// Length of the longer side [m].
   [[nodiscard]] double size() const { return std::max(high.x - low.x, high.y - low.y); }
 };
 
-/// The disc around a box.
+/// Disc that contains a box.
 [[nodiscard]] Bar bar_of(const Box& box);
 
-/// A narrow bar if the points lie along a line, else a disc.
+/// Bar that contains the points: narrow if they lie along a line, otherwise a disc.
 [[nodiscard]] Bar bar_of(std::span<const Point> points);
 
 }  // namespace vandplan::judge

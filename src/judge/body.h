@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What drives along the track, the vehicle or the trailer that it pulls, and how near are things?
+// How near are obstacles to the vehicle or its trailer on a track, in the eyes of the judge?
 
 #include "judge/ground.h"
 #include "judge/track.h"
@@ -9,15 +9,15 @@
 
 namespace vandplan::judge {
 
-/// A rigid part of what drives; the parts live as long as they are used.
+/// Rigid body that moves along a track: the vehicle or its trailer. References must outlive it.
 struct Body {
   const Track& track;
   const Ground& ground;
   Outlines outlines;
-  const Trailing* trailing = nullptr;  ///< of the trailer; null: this is the vehicle itself
+  const Trailing* trailing = nullptr;  ///< motion of the trailer; null: the body is the vehicle
 };
 
-/// A body in a place, ready to look around.
+/// A body at a place of its track, with its view of the world.
 struct Onlooker {
   const Body& body;
   const Stretch& stretch;
@@ -26,23 +26,23 @@ struct Onlooker {
 
 [[nodiscard]] Onlooker onlooker_at(const Body& body, const Place& place);
 
-/// Between the body and the nearest thing that it must not touch [m], never more than `most`; if
-/// `half` is not 0 no more than that anywhere up to `half` metres before and after the place.
+/// Lower bound of the clearance of a body at all places up to `half` metres before and after its
+/// own [m]. If `half` is 0, it is exact. Values are cut off at `most`.
 [[nodiscard]] double clearance_of(const Onlooker& onlooker, double half, double most,
                                   Effort& effort);
 
-/// The same at a place alone.
+/// Clearance of a body at one place [m], cut off at `most`.
 [[nodiscard]] double clearance_of(const Body& body, const Place& place, double most,
                                   Effort& effort);
 
-/// No point of the body moves further on a stretch than this for each metre driven.
+/// Upper bound of the motion of any point of the body on a stretch, per metre driven.
 [[nodiscard]] double speed_of(const Body& body, const Stretch& stretch);
 
-/// How much of a stretch has to be looked at: after one full turn an arc repeats itself, unless
-/// something trails behind.
+/// Length of a stretch that has to be checked [m]. An arc repeats itself after a full turn, unless
+/// a trailer follows.
 [[nodiscard]] Real length_to_look_at(const Body& body, const Stretch& stretch);
 
-/// Something at a place that is at most so far from the body [m].
+/// First obstacle, kerb or map that is at most `distance` [m] from the body at a place.
 [[nodiscard]] Thing first_within(const Body& body, double distance, const Place& place);
 
 }  // namespace vandplan::judge

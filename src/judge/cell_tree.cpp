@@ -87,7 +87,7 @@ unsigned CellTree::blocked_quarters(std::size_t level, std::int32_t column,
     }
     return quarters;
   }
-  const Level& below = levels_[level - 2];  // two columns side by side share a word
+  const Level& below = levels_[level - 2];  // columns 2 i and 2 i + 1 are in one word
   for (const int up : {0, 1}) {
     const std::uint64_t word = below.has_blocked[below.word_of(2 * column, 2 * row + up)];
     quarters |= static_cast<unsigned>(word >> bit_of(2 * column) & 3U) << (2 * up);
@@ -95,12 +95,12 @@ unsigned CellTree::blocked_quarters(std::size_t level, std::int32_t column,
   return quarters;
 }
 
-// What is said of a passage need not be told to more than this part of what lacks: it is cut in
-// two.
+// On a passage a square is not refined if its radius is at most this share of the distance from its
+// bound to `most`. The passage is halved anyway.
 constexpr double fine = 0.125;
 
-/// On one passage. Places are told from the rear axle in its middle, along the axes of the grid or,
-/// once they are `seen`, along those of the vehicle.
+/// Search for the nearest blocked cell on one passage. Places are relative to the rear axle in the
+/// middle of the passage. Their axes are those of the grid or, if `seen`, those of the vehicle.
 class CellTree::Search {
  public:
   Search(const CellTree& tree, const View& view, const Outline& body, double most);
@@ -108,19 +108,19 @@ class CellTree::Search {
   [[nodiscard]] double least() const { return std::max(0.0, least_); }
   [[nodiscard]] std::size_t visited() const { return visited_; }
 
-  /// Lowers `least` to the clearance of what is outside of the grid, all of it blocked.
+  /// Lowers `least` to the clearance of the outside of the grid, which is blocked.
   void look_outside();
 
-  /// The same for the blocked cells of the grid.
+  /// Lowers `least` to the clearance of the blocked cells of the grid.
   void look_inside();
 
  private:
-  /// A square of the tree.
+  /// Square of the tree.
   struct Square {
     std::size_t level;
     std::int32_t column, row;
-    Point middle;  // seen
-    double half;   // of a side [m]
+    Point middle;  // middle of the square, in the vehicle's frame
+    double half;   // half of a side [m]
   };
 
   [[nodiscard]] Point seen(Real x, Real y) const;
@@ -136,9 +136,10 @@ class CellTree::Search {
   const double most_;
   double least_;
   std::size_t visited_ = 0;
-  double reach_;      // no point of the body is further from a position of the axle, ... [m]
-  Real x_, y_;        // of the axle, from the corner of the grid [m]
-  double cos_, sin_;  // of the heading, from the axes of the grid
+  // Upper bound of the distance of any point of the body from the axle in the middle [m].
+  double reach_;
+  Real x_, y_;        // axle in the frame of the grid [m]
+  double cos_, sin_;  // cosine and sine of the heading in the frame of the grid
 };
 
 CellTree::Search::Search(const CellTree& tree, const View& view, const Outline& body, double most)
@@ -157,7 +158,8 @@ CellTree::Search::Search(const CellTree& tree, const View& view, const Outline& 
   sin_ = static_cast<double>(view.sin * tree.cos_ - view.cos * tree.sin_);
 }
 
-/// The corners of the body come nearer to a border just as the points of the border do to them.
+/// Relative motion is symmetric: a corner approaches a border as a point of the border would
+/// approach the corner.
 void CellTree::Search::look_outside() {
   const auto right = static_cast<double>(grid_.columns * static_cast<Real>(grid_.resolution) - x_);
   const auto up = static_cast<double>(grid_.rows * static_cast<Real>(grid_.resolution) - y_);
@@ -174,7 +176,7 @@ void CellTree::Search::look_outside() {
   });
 }
 
-/// What matters lies around the axle: in four squares of one size at the most.
+/// Cells that matter lie around the axle, in at most four squares of one size.
 void CellTree::Search::look_inside() {
   const double around = reach_ + least_;
   std::size_t level = 0;
@@ -198,14 +200,13 @@ void CellTree::Search::look_inside() {
   }
 }
 
-/// A lower bound of the clearance of what is in a square: no point of it is further from its middle
-/// than half a diagonal.
+/// Lower bound of the clearance of the cells in a square: they lie in the disc around it [m].
 double CellTree::Search::bound_of(const Square& square) {
   ++visited_;
   return clearance_of_disc(passage_, body_, square.middle, square.half * std::numbers::sqrt2);
 }
 
-/// Below a square, `bound` being that of it.
+/// Searches the tree below a square, whose `bound` is known.
 void CellTree::Search::look(const Square& square, double bound) {
   const double radius = square.half * std::numbers::sqrt2;
   if (passage_.half > 0 && bound > 0 && radius <= fine * (most_ - bound)) {
@@ -213,7 +214,7 @@ void CellTree::Search::look(const Square& square, double bound) {
     return;
   }
   if (square.level == 0) return look_at_cell(square);
-  // The nearest quarter first: then the others are often too far.
+  // The nearest quarter is searched first: then the others are often too far.
   const unsigned quarters = tree_.blocked_quarters(square.level, square.column, square.row);
   std::array<std::pair<double, int>, 4> near;
   std::size_t count = 0;
@@ -252,7 +253,7 @@ void CellTree::Search::look_at_cell(const Square& cell) {
   least_ = clearance_of_seen(passage_, body_, corners, least_);
 }
 
-/// From the corner of the grid.
+/// A point of the grid's frame in the frame of the vehicle.
 Point CellTree::Search::seen(Real x, Real y) const {
   const auto dx = static_cast<double>(x - x_);
   const auto dy = static_cast<double>(y - y_);

@@ -3,8 +3,8 @@
 #pragma once
 // How far is the vehicle from the blocked cells of a map, in the eyes of the judge?
 //
-// A tree of squares of cells, each of which knows no more than whether a blocked cell is in it:
-// whoever looks for the nearest cell leaves out squares that are empty or too far away.
+// A tree of squares of cells. Each square knows only whether it has a blocked cell. The search for
+// the nearest blocked cell skips squares that are empty or too far away.
 
 #include <cstddef>
 #include <cstdint>
@@ -19,18 +19,17 @@ class CellTree {
  public:
   explicit CellTree(const OccupancyGrid& grid);
 
-  /// The cells of the grid in a range have become others.
+  /// Updates the tree after cells in a range of the grid have changed.
   void update(const CellRange& changed);
 
-  /// Between the closed body and the closed squares of the blocked cells [m], if the curvature is
-  /// constant: at one position the distance, on a passage no more than that at any of its
-  /// positions, never more than `most`.
+  /// Distance between the closed body and the closed blocked cells [m], if the curvature is
+  /// constant. On a passage it is a lower bound for all positions. Values are cut off at `most`.
   [[nodiscard]] double clearance(const View& view, const Outline& body, double most,
                                  Effort& effort) const;
 
  private:
-  /// Squares of one size: a bit each, of a row in as many words as it takes. Beside the last column
-  /// and above the last row there is room for one more, never set.
+  /// Squares of one size, one bit each. Each row takes whole words. There is room for one more
+  /// column and one more row, whose bits are never set.
   struct Level {
     std::int32_t columns = 0;
     std::int32_t rows = 0;
@@ -43,22 +42,23 @@ class CellTree {
   };
   class Search;
 
-  /// Of the squares with sides of 2^level cells.
+  /// Number of columns and rows of squares with sides of 2^level cells.
   [[nodiscard]] Size size_of(std::size_t level) const;
-  /// Squares of a level, from those of the level below.
+  /// Computes squares of a level from those of the level below.
   void fill(std::size_t level, const CellRange& squares);
 
-  /// Whether a blocked cell is in a square with sides of 2^level cells; false outside of the grid.
+  /// Whether a square with sides of 2^level cells has a blocked cell; false outside of the grid.
   [[nodiscard]] bool has_blocked(std::size_t level, std::int32_t column, std::int32_t row) const;
 
-  /// Which quarters of a square of level 1 or above hold a blocked cell: bit 0 is the lower left
-  /// one, bit 1 the lower right one, bits 2 and 3 are those above.
+  /// Bit mask of the quarters with a blocked cell, for a square of level 1 or above. Bit 0 is the
+  /// lower left quarter, bit 1 the lower right one, bit 2 the upper left one, bit 3 the upper right
+  /// one.
   [[nodiscard]] unsigned blocked_quarters(std::size_t level, std::int32_t column,
                                           std::int32_t row) const;
 
   OccupancyGrid grid_;
-  Real cos_, sin_;             ///< of the heading of the grid
-  std::vector<Level> levels_;  ///< of level 1 and above; the last is a single square
+  Real cos_, sin_;             ///< cosine and sine of the heading of the grid
+  std::vector<Level> levels_;  ///< squares of level 1 and above; the last level is a single square
 };
 
 }  // namespace vandplan::judge

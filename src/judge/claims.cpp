@@ -11,14 +11,15 @@
 namespace vandplan::judge {
 namespace {
 
-constexpr double length_tolerance = 1e-6;  // [m]; of costs for every metre, too
-constexpr double near_tolerance = 1e-3;    // of a cost where being near things has a price
-constexpr double time_tolerance = 1e-3;    // of a cost that is the time
-constexpr double finely_seen = 1e5;        // up to this length of a way [m]
+// Tolerance of lengths [m], and relative tolerance of costs.
+constexpr double length_tolerance = 1e-6;
+constexpr double near_tolerance = 1e-3;  // relative tolerance of a cost with a price of clearance
+constexpr double time_tolerance = 1e-3;  // relative tolerance of a cost that is the time
+constexpr double finely_seen = 1e5;      // up to this length of a path `near_cost` is fine [m]
 constexpr double gap_tolerance = 1e-6;
-constexpr double pose_distance = 0.1;  // between stated poses, at most [m]
-// Of stated poses [m, rad], curvature [1/m] and distance: files far from the origin, where doubles
-// are micrometres apart, and figures rounded by others must pass.
+constexpr double pose_distance = 0.1;  // largest distance between stated poses [m]
+// Tolerance of stated poses [m, rad], curvatures [1/m] and distances [m]. It accepts files far from
+// the origin, where doubles are micrometres apart, and rounded figures.
 constexpr double stated_tolerance = 1e-5;
 
 std::optional<std::string> false_figures(const Track& track, const PathClaims& claims) {
@@ -52,8 +53,8 @@ std::optional<std::string> false_gap(const StatedCost& stated) {
   return text("the stated gap is %.10g, cost and bound make it %.10g", *stated.gap, gap);
 }
 
-/// A stated time. With a limit of jerk the fastest drive is not known here: it takes no less than
-/// without one.
+/// Fault of a stated time. With a jerk limit the fastest drive is unknown, but takes no less time
+/// than without it.
 std::optional<std::string> false_time(const Found& found, const StatedCost& stated) {
   const double least = found.time * (1 - time_tolerance) - length_tolerance;
   const double most = found.time * (1 + time_tolerance) + length_tolerance;
@@ -72,7 +73,7 @@ std::optional<std::string> false_cost(const Track& track, const Found& found,
   if (stated.rule.measure == CostMeasure::time) return false_time(found, stated);
   const double near = found.near;
   const double cost = cost_of(track, near, stated.rule);
-  // What is near is looked at less finely on a longer way.
+  // The cost of clearance is less exact on longer paths.
   const double rough = std::max(1.0, static_cast<double>(track.length) / finely_seen);
   const double tolerance =
       length_tolerance * (1 + cost) +
@@ -121,7 +122,7 @@ std::optional<std::string> false_poses(const Track& track, const Trailing* trail
     return "the stated poses[" + std::to_string(i) + "] " + problem;
   };
   Real last = 0;
-  std::size_t i = 0;  // the stretch that the poses have come to
+  std::size_t i = 0;  // index of the stretch of the last pose
   for (std::size_t k = 0; k < poses.size(); ++k) {
     const StatedPose& stated = poses[k];
     const Real step = stated.s - last;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Is it true what somebody says about a path?
+// Are the claims about a path true?
 
 #include <optional>
 #include <string>
@@ -12,14 +12,16 @@
 
 namespace vandplan::judge {
 
-/// What was found of the cost of a path.
+/// Parts of a path's cost that the judge has computed.
 struct Found {
-  double near = 0.0;  ///< what being near things adds to it [m]
-  double time = 0.0;  ///< of the fastest drive without a limit of jerk [s], where the cost is that
+  double near = 0.0;  ///< cost of being near obstacles [m]
+  /// Duration of the fastest drive without jerk limit [s], if the cost is the time.
+  double time = 0.0;
   bool has_jerk_limit = false;
 };
 
-/// The first claim that is false, and what is true; one line. `trailing` is null without a trailer.
+/// One line about the first false claim, with the true value; none if all claims are true.
+/// `trailing` is null without a trailer.
 [[nodiscard]] std::optional<std::string> false_claim(const Track& track, const Trailing* trailing,
                                                      const Found& found, const PathClaims& claims);
 

@@ -9,7 +9,7 @@
 namespace vandplan::judge {
 namespace {
 
-/// Where a body and a side, or a point, are nearest.
+/// Nearest points of a body and a side, or a point.
 struct Gap {
   double distance = 0.0;
   Point on_body;
@@ -33,7 +33,7 @@ Gap gap_to_point(const Point& p, const Outline& body) {
       {std::clamp(p.x, body.x_min, body.x_max), std::clamp(p.y, body.y_min, body.y_max)}, p);
 }
 
-/// Between a point of the body and a side, from a to b.
+/// Gap between a point of the body and the side from a to b.
 Gap gap_to_side(const Point& p, const Point& a, const Point& b) {
   const double dx = b.x - a.x;
   const double dy = b.y - a.y;
@@ -43,12 +43,13 @@ Gap gap_to_side(const Point& p, const Point& a, const Point& b) {
   return gap_between(p, {a.x + nearest * dx, a.y + nearest * dy});
 }
 
-/// How far to the left of the way from a to b a point is, times the length of that way.
+/// Distance of a point to the left of the line from a to b, times the length of a to b [m^2].
 double left_of(const Point& a, const Point& b, const Point& p) {
   return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
 }
 
-/// Whether a side of the body, with all of the body to its left, has a and b to its right.
+/// Whether a side of the body separates it from the side a b: the body is left of it, a and b are
+/// right.
 bool is_beside(const Point& a, const Point& b, const Outline& body) {
   if (std::max(a.x, b.x) < body.x_min || std::min(a.x, b.x) > body.x_max ||
       std::max(a.y, b.y) < body.y_min || std::min(a.y, b.y) > body.y_max) {
@@ -62,7 +63,7 @@ bool is_beside(const Point& a, const Point& b, const Outline& body) {
   return false;
 }
 
-/// Between the ends of a side and a body whose corners are known.
+/// Gap between the ends of the side a b and a body with corners.
 Gap gap_to_corners(const Point& a, const Point& b, const Outline& body) {
   Gap gap{std::numeric_limits<double>::infinity(), {}, {}};
   for (std::size_t i = 0; i < body.corners.size(); ++i) {
@@ -76,8 +77,8 @@ Gap gap_to_corners(const Point& a, const Point& b, const Outline& body) {
   return gap;
 }
 
-/// Of two convex sets that are apart one is nearest at a corner of the other. They are apart
-/// exactly if one of the directions of their sides tells them apart.
+/// Gap between a body and the side a b. Two disjoint convex sets are nearest at a corner of one of
+/// them. They are disjoint exactly if the direction of one of their sides separates them.
 Gap gap_of_side(const Point& a, const Point& b, const Outline& body) {
   bool left = true;
   bool right = true;
@@ -93,7 +94,7 @@ Gap gap_of_side(const Point& a, const Point& b, const Outline& body) {
   return gap;
 }
 
-/// A point that moves as the vehicle sees it.
+/// A point of the world that moves in the vehicle's frame along a passage.
 class Mover {
  public:
   Mover(const Passage& passage, const Point& p)
@@ -108,7 +109,7 @@ class Mover {
     return std::min(speed_ * half_, along * half_ + turning_);
   }
 
-  /// How far it stays ahead of a place, along a direction.
+  /// Lower bound of the distance of the point ahead of `from` along `direction` on the passage [m].
   [[nodiscard]] double ahead(const Point& from, const Point& direction) const {
     return (p_.x - from.x) * direction.x + (p_.y - from.y) * direction.y - approach(direction);
   }
@@ -116,7 +117,7 @@ class Mover {
  private:
   Point p_;
   double half_;
-  Point velocity_;  // for each metre driven
+  Point velocity_;  // velocity per metre driven
   double speed_;
   double turning_;
 };
@@ -127,8 +128,9 @@ double clearance_of_side(const Passage& passage, const Outline& body, const Poin
   if (gap.distance == 0 || passage.half == 0) return gap.distance;
   const auto& [distance, here, there] = gap;
   const Point to_side{(there.x - here.x) / distance, (there.y - here.y) / distance};
-  // Two lines through the ends of the gap, square to it: neither body nor side reach beyond its
-  // own. The one at the body stays with the body, and the ends of the side approach it.
+  // Two lines through the ends of the gap, perpendicular to it: the body stays behind one, the side
+  // behind the other. The line at the body moves with the body, and the ends of the side approach
+  // it.
   const Mover first(passage, a);
   const Mover last(passage, b);
   const auto both_ahead = [&](const Point& from, const Point& direction) {
@@ -138,8 +140,8 @@ double clearance_of_side(const Passage& passage, const Outline& body, const Poin
       std::max({0.0, both_ahead(here, to_side), both_ahead({0, body.y_max}, {0, 1}),
                 both_ahead({0, body.y_min}, {0, -1})});
   if (length_of(a, b) <= body.x_max - body.x_min) return at_body;
-  // The one at the side stays there, and the corners of the body approach it. Of long sides, whose
-  // ends turn by far more than the body does, it tells more.
+  // The line at the side stays with the side, and the corners of the body approach it. This bound
+  // is better for long sides, whose ends move far more than the body.
   const Point to_body{-to_side.x, -to_side.y};
   double at_side = std::numeric_limits<double>::infinity();
   for_each_corner(body, [&](const Point& corner) {

@@ -27,13 +27,13 @@ using judge::text;
 using judge::Track;
 using judge::Trailing;
 
-constexpr Real time_slack = 1e-6;      // [s]
-constexpr Real distance_slack = 1e-6;  // [m]
-constexpr Real speed_slack = 1e-6;     // [m/s]
-constexpr Real limit_slack = 1e-6;     // relative
-constexpr Real look_step = 1e-2;       // [m]
-constexpr Real steering_slack = 1e-6;  // [rad]: jumps that are rounding
-constexpr Real least_motion = 1e-9;    // [m]
+constexpr Real time_slack = 1e-6;      // tolerance of times [s]
+constexpr Real distance_slack = 1e-6;  // tolerance of distances [m]
+constexpr Real speed_slack = 1e-6;     // tolerance of speeds [m/s]
+constexpr Real limit_slack = 1e-6;     // relative tolerance of the vehicle's limits
+constexpr Real look_step = 1e-2;       // distance between two checks of the limits [m]
+constexpr Real steering_slack = 1e-6;  // steering jumps up to this are rounding [rad]
+constexpr Real least_motion = 1e-9;    // shorter stretches are not driven [m]
 
 struct DriveFault {
   std::string reason;
@@ -41,7 +41,7 @@ struct DriveFault {
   std::optional<Place> place;
 };
 
-/// The place after `s` metres; where two stretches meet the later one.
+/// Place after `s` metres of the track; where two stretches meet, the later one.
 Place place_at(const Track& track, Real s) {
   const auto later = std::ranges::upper_bound(track.stretches, s, {}, &Stretch::s);
   const auto i =
@@ -49,7 +49,7 @@ Place place_at(const Track& track, Real s) {
   return {i, std::clamp<Real>(s - track.stretches[i].s, 0, track.stretches[i].length)};
 }
 
-/// Where a knot leads to in `d` seconds.
+/// State of the motion after a knot: place [m], speed [m/s], acceleration [m/s^2].
 struct Reached {
   Real s, v, a;
 };
@@ -68,7 +68,7 @@ DriveFault knot_fault(std::size_t i, const std::string& what) {
   return {"knots[" + std::to_string(i) + "] " + what, {}, {}};
 }
 
-/// Whether speeds and distances follow from each other, over the whole path and no more.
+/// First fault of the knots: their speeds and distances must agree, and cover the path exactly.
 std::optional<DriveFault> false_knots(const SpeedProfile& speeds, Real length, Real start_speed) {
   const std::vector<SpeedKnot>& knots = speeds.knots;
   if (knots.empty()) return DriveFault{"the drive has no knots", {}, {}};
@@ -116,7 +116,7 @@ std::optional<DriveFault> false_knots(const SpeedProfile& speeds, Real length, R
   return std::nullopt;
 }
 
-/// The limits of a vehicle, asked at one moment.
+/// Checks the limits of a vehicle at single moments.
 class LimitCheck {
  public:
   LimitCheck(const Track& track, const Vehicle& vehicle) : track_(track), vehicle_(vehicle) {}
@@ -133,8 +133,8 @@ class LimitCheck {
                       knot.t + d, place};
   }
 
-  /// The last look from `k` to `count` with the curvature and the acceleration of look `k`; that
-  /// one itself where either of them changes all the time.
+  /// Index of the last look from `k` to `count` with the same curvature and acceleration as look
+  /// `k`. It is `k` if curvature or acceleration change continuously.
   template <typename When>
   [[nodiscard]] int last_alike(const SpeedKnot& knot, const When& when, int k, int count) const {
     const Stretch& stretch =
@@ -155,7 +155,7 @@ class LimitCheck {
     Real value, limit;
   };
 
-  /// The limit that is exceeded most, or any.
+  /// The limit that is exceeded most; any limit if none is exceeded.
   [[nodiscard]] Limit worst(const Stretch& stretch, Real curvature, const Reached& now,
                             Real jerk) const {
     const DrivingLimits& limits = vehicle_.limits;
@@ -181,14 +181,14 @@ class LimitCheck {
   const Vehicle& vehicle_;
 };
 
-/// Every centimetre, and at the ends of what is driven with one acceleration.
+/// First broken limit: checked every centimetre and at both ends of constant acceleration.
 std::optional<DriveFault> broken_limit(const SpeedProfile& speeds, const Track& track,
                                        const Vehicle& vehicle) {
   const LimitCheck check(track, vehicle);
   for (std::size_t i = 0; i + 1 < speeds.knots.size(); ++i) {
     const SpeedKnot& knot = speeds.knots[i];
     const Real lasts = static_cast<Real>(speeds.knots[i + 1].t) - knot.t;
-    // At both ends the vehicle is inside of what it drives, not at the joint.
+    // At both ends the look is slightly inside of the part, not at the joint.
     const Real way = std::abs(static_cast<Real>(speeds.knots[i + 1].s) - knot.s);
     if (way <= least_motion || lasts <= 0) continue;
     const auto count = static_cast<int>(std::min<Real>(std::ceil(way / look_step), 1e7)) + 2;
@@ -197,7 +197,7 @@ std::optional<DriveFault> broken_limit(const SpeedProfile& speeds, const Track& 
     };
     for (int k = 0; k <= count; ++k) {
       if (auto fault = check.at(knot, when(k))) return fault;
-      // On one curvature with one acceleration no limit is nearer than at one of both ends.
+      // With constant curvature and acceleration, each limit is nearest at one of both ends.
       const int last = check.last_alike(knot, when, k, count);
       if (last > k + 1 && !check.at(knot, when(last))) k = last;
     }
@@ -205,14 +205,14 @@ std::optional<DriveFault> broken_limit(const SpeedProfile& speeds, const Track& 
   return std::nullopt;
 }
 
-/// How the vehicle comes through a place of its path.
+/// How the vehicle passes a place of its path.
 struct Passing {
-  Real t = 0;         // when it comes [s]
-  Real speed = 0;     // [m/s]
-  Real standing = 0;  // for how long [s]
+  Real t = 0;         // time of arrival [s]
+  Real speed = 0;     // speed at the place [m/s]
+  Real standing = 0;  // duration of standing there [s]
 };
 
-/// At the slowest knot that is near, as others belong to how it comes and goes.
+/// Passing of place `s` [m] at the slowest knot there; others belong to arrival and departure.
 Passing passing_of(const SpeedProfile& speeds, Real s) {
   const auto is_near = [&](const SpeedKnot& knot) {
     return std::abs(knot.s - s) <= distance_slack;
@@ -229,7 +229,7 @@ Passing passing_of(const SpeedProfile& speeds, Real s) {
     const SpeedKnot& knot = speeds.knots[i];
     const SpeedKnot& next = speeds.knots[i + 1];
     if (!has_come && knot.s < s && s < next.s) {
-      // In the middle of what is driven with one acceleration nobody stands.
+      // Between two knots the vehicle does not stand.
       passing.t = next.t;
       passing.speed = std::max<Real>({knot.v, next.v, speed_slack * 2});
     }
@@ -240,13 +240,13 @@ Passing passing_of(const SpeedProfile& speeds, Real s) {
   return passing;
 }
 
-/// Where the gear changes, or the wheels are turned at standstill.
+/// First place where gear or wheels need a stop that is missing or too short.
 std::optional<DriveFault> rushed_stop(const SpeedProfile& speeds, const Track& track,
                                       const Task& task) {
   const Vehicle& vehicle = task.vehicle;
   const auto angle = [&](Real curvature) { return std::atan(vehicle.wheelbase * curvature); };
   Real before = task.curvatures.start;
-  const Stretch* last = nullptr;  // that is long enough to be driven
+  const Stretch* last = nullptr;  // last stretch that is long enough to be driven
   for (std::size_t i = 0; track.length > 0 && i < track.stretches.size(); ++i) {
     const Stretch& stretch = track.stretches[i];
     if (stretch.length <= least_motion) continue;
@@ -272,7 +272,7 @@ std::optional<DriveFault> rushed_stop(const SpeedProfile& speeds, const Track& t
   return std::nullopt;
 }
 
-/// The vehicle of a drive, or the trailer that it pulls, to look who comes near it.
+/// Vehicle or trailer of a drive, for the search of meetings.
 Driver driver_of(const SpeedProfile& speeds, const Track& track, const Vehicle& vehicle,
                  const Trailing* trailing) {
   Driver driver;
@@ -304,7 +304,7 @@ Driver driver_of(const SpeedProfile& speeds, const Track& track, const Vehicle& 
   return driver;
 }
 
-/// What is wrong with a meeting, in words that follow the name of the body.
+/// Fault of a meeting; its text follows the name of the body.
 DriveFault bad_company(const judge::Encounter& met, const DriveClaims& claims,
                        const SpeedProfile& speeds, const Track& track) {
   const auto& [obstacle, t, distance] = met;
@@ -322,7 +322,7 @@ DriveFault bad_company(const judge::Encounter& met, const DriveClaims& claims,
           t, place};
 }
 
-/// The findings of the judge in the scenario's frame.
+/// Verdict of the judge, in the scenario's frame.
 DriveCheck verdict(DriveCheck check, const std::optional<DriveFault>& fault, const World& world,
                    const Track& track) {
   check.valid = !fault;
@@ -340,11 +340,11 @@ Track track_of(const World& world, const Path& path) {
   return judge::integrate({to_local(world, path.start), path.segments});
 }
 
-/// Who is met first, by the vehicle or by its trailer; the clearance goes into the check.
+/// First meeting of the vehicle or its trailer; `check` gets the clearance.
 std::optional<DriveFault> company_fault(const Task& task, const SpeedProfile& speeds,
                                         const Track& track, const DriveClaims& claims,
                                         DriveCheck& check) {
-  constexpr double margin_slack = 1e-6;  // [m]
+  constexpr double margin_slack = 1e-6;  // tolerance of the margin [m]
   const double kept = std::max(claims.margin - margin_slack, 0.0);
   const auto company = [&](const Trailing* trailing) {
     return judge::company_on(driver_of(speeds, track, task.vehicle, trailing), task.moving,

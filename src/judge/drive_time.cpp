@@ -9,22 +9,23 @@
 namespace vandplan::judge {
 namespace {
 
-constexpr Real ignored_turn = 1e-6;  // of the wheels at a joint [rad]
-constexpr Real least_motion = 1e-9;  // what is shorter, all together, nobody drives [m]
-constexpr Real least_places = 200;   // of a stretch
-constexpr Real usual_step = 1e-2;    // from place to place [m]
-constexpr Real most_places = 2e6;    // of a path
+// Largest turn of the wheels at a joint that needs no stop [rad].
+constexpr Real ignored_turn = 1e-6;
+constexpr Real least_motion = 1e-9;  // stretches of less total length are passed over [m]
+constexpr Real least_places = 200;   // least number of samples of a stretch
+constexpr Real usual_step = 1e-2;    // usual distance between samples [m]
+constexpr Real most_places = 2e6;    // largest number of samples of a path
 
 struct FastPlace {
   Real s = 0;
-  Real square = 0;  // of the largest speed there
+  Real square = 0;  // square of the largest speed at the place [m^2/s^2]
 };
 
 Real wheel_angle(const Vehicle& vehicle, Real curvature) {
   return std::atan(vehicle.wheelbase * curvature);
 }
 
-/// The square of the largest speed at a place, whatever happens elsewhere.
+/// Square of the largest speed at a place [m^2/s^2], whatever the speed elsewhere.
 Real square_at(const Stretch& stretch, Real t, const Vehicle& vehicle) {
   const DrivingLimits& limits = vehicle.limits;
   const Real curvature = curvature_at(stretch, t);
@@ -40,7 +41,7 @@ Real square_at(const Stretch& stretch, Real t, const Vehicle& vehicle) {
   return std::min(square, slow * slow);
 }
 
-/// The places of one drive from stop to stop; its time.
+/// Duration of the drive through `places` from stop to stop [s]; clears `places`.
 Real time_of(std::vector<FastPlace>& places, const DrivingLimits& limits) {
   if (places.empty()) return 0;
   places.front().square = places.back().square = 0;
@@ -69,7 +70,7 @@ double drive_time(const Track& track, const Vehicle& vehicle, double start_curva
       std::min(least_places, most_places / static_cast<Real>(track.stretches.size()));
   std::vector<FastPlace> places;
   Real time = 0;
-  Real curvature = start_curvature;  // that the wheels are turned to
+  Real curvature = start_curvature;  // curvature to which the wheels are turned [1/m]
   Real direction = 0;
   Real passed_over = 0;
   for (const Stretch& stretch : track.stretches) {
@@ -84,7 +85,8 @@ double drive_time(const Track& track, const Vehicle& vehicle, double start_curva
     }
     direction = stretch.direction;
     curvature = curvature_at(stretch, stretch.length);
-    // Denser near the ends, where the vehicle may come to its speed within a hair's breadth.
+    // Samples are denser near the ends, where the vehicle may reach its speed within a tiny
+    // distance.
     const Real count = std::max(least, std::ceil(stretch.length / step));
     for (Real k = 0; k <= count; ++k) {
       const Real t = stretch.length * (1 - std::cos(pi * k / count)) / 2;

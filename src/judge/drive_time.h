@@ -8,9 +8,9 @@
 
 namespace vandplan::judge {
 
-/// That time without a limit of jerk [s], about 1e-4 of it too large or small: looked at in many
-/// places of every stretch, the speed changing evenly in between. `start_curvature` is that of the
-/// wheels before the drive [1/m].
+/// Duration of the fastest drive without jerk limit [s], with a relative error of about 1e-4. It
+/// samples many places of every stretch; the square of the speed is linear between them.
+/// `start_curvature` is the curvature of the wheels before the drive [1/m].
 [[nodiscard]] double drive_time(const Track& track, const Vehicle& vehicle, double start_curvature);
 
 }  // namespace vandplan::judge

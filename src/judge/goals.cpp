@@ -9,7 +9,7 @@
 namespace vandplan::judge {
 namespace {
 
-constexpr Real tolerance = 1e-6;  // of places [m], angles [rad] and curvatures [1/m]
+constexpr Real tolerance = 1e-6;  // tolerance of places [m], angles [rad] and curvatures [1/m]
 
 struct Spot {
   Real x = 0, y = 0;
@@ -25,7 +25,7 @@ Spot nearest_on_side(const Spot& p, const Point& a, const Point& b) {
   return {a.x + inside * dx, a.y + inside * dy};
 }
 
-// A ray to the right crosses the edge an odd number of times.
+// A place is inside if a ray to the right crosses an odd number of sides.
 bool is_in(const Polygon& area, Real x, Real y) {
   bool is_inside = false;
   for (std::size_t i = 0; i < area.size(); ++i) {
@@ -38,7 +38,7 @@ bool is_in(const Polygon& area, Real x, Real y) {
   return is_inside;
 }
 
-/// The place in a closed polygon that is nearest to another place.
+/// Nearest place to `p` in a closed polygon.
 Spot nearest_in(const Polygon& area, const Spot& p) {
   if (is_in(area, p.x, p.y)) return p;
   Spot nearest{area[0].x, area[0].y};
@@ -55,7 +55,7 @@ Real clamped(Real value, const Interval& interval) {
   return std::clamp<Real>(value, interval.least, interval.most);
 }
 
-/// The heading of a range that is nearest to another one, as a turn from that.
+/// Turn from `heading` to the nearest heading of `range` plus `turned` [rad].
 Real turn_into(const HeadingRange& range, Real heading, Real turned) {
   Real width = static_cast<Real>(range.to) - range.from;
   if (width < 0) width += full_turn * std::ceil(-width / full_turn);
@@ -66,7 +66,7 @@ Real turn_into(const HeadingRange& range, Real heading, Real turned) {
 
 Real beyond(Real off) { return std::max(std::abs(off) - tolerance, Real{0}); }
 
-/// Where the tractor is if the axle of its trailer is there.
+/// Position of the tractor for a position of its trailer and a hitch angle [rad].
 Position tractor_ahead_of(const Position& trailer, const Vehicle& vehicle, Real angle) {
   const Real length = vehicle.trailer->wheelbase;
   const Real heading = trailer.heading + angle;
@@ -108,7 +108,7 @@ Goal nearest_goal(const Task& task, const Track& track, const Trailing* trailing
     if (!(off < least)) continue;
     least = off;
     Position pose{goal.x, goal.y, axle.heading + turn};
-    // A heading of the trailer that is off by a little moves the tractor by more.
+    // A small error of the trailer's heading would move the tractor by more than the tolerance.
     if (is_of_trailer) {
       pose = off > 0 ? tractor_ahead_of(pose, task.vehicle, hitch_angle) : track.end;
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What may a vehicle hit, and how far is it away, in the eyes of the judge?
+// Which obstacles may a vehicle hit, and how far are they, in the eyes of the judge?
 //
-// Method and proof: docs/algorithms/path_check.md.
+// Method: docs/algorithms/path_check.md; proof: docs/proofs/judge.md.
 
 #include <memory>
 #include <optional>
@@ -19,59 +19,63 @@
 
 namespace vandplan::judge {
 
-/// What of a vehicle must not touch: the footprint obstacles and maps, the wheels kerbs.
+/// Outlines of a body: `body` must not touch obstacles and the map, `wheels` must not touch kerbs.
 struct Outlines {
   Outline body, wheels;
 };
 
-/// What may be hit, and by what.
+/// An obstacle, kerb or map, and the part of the vehicle that may hit it.
 struct Thing {
-  std::string name;  ///< such as "obstacles[2]" or "the map"
-  std::string part;  ///< of what drives: "the footprint" or "the wheels"
+  std::string name;  ///< name of the obstacle, such as "obstacles[2]" or "the map"
+  std::string part;  ///< part of the vehicle: "the footprint" or "the wheels"
   Hit hit = {};
 };
 
-/// What makes a verdict impossible: a problem that nobody made, or a margin that is no distance.
-/// Empty if there is nothing.
+/// Reason why a verdict is impossible: an empty problem, or a negative margin. Empty if there is
+/// none.
 [[nodiscard]] std::string door_fault(const Problem& problem, double margin);
 
 [[nodiscard]] Outlines outlines_of(const Vehicle& vehicle);
 [[nodiscard]] Outlines outlines_of(const Trailer& trailer);
 
-/// Obstacles, kerbs and map, ready to be asked. Of no vehicle, so one serves all.
+/// Obstacles, kerbs and map in search trees. They do not depend on a vehicle, so one ground serves
+/// all.
 class Ground {
  public:
-  /// The surroundings must stay where they are as long as the ground is used.
+  /// `surroundings` is kept by reference.
   explicit Ground(const Surroundings& surroundings);
 
-  /// The same surroundings with other polygons, and with other cells of the map in some ranges.
+  /// Ground after a change: other polygons, and other cells in the ranges `cells` of the map.
+  /// `before` is the ground before the change.
   Ground(const Ground& before, const Surroundings& surroundings, std::span<const CellRange> cells);
 
-  /// Whether there is nothing to hit, wherever one looks.
+  /// Whether there are no obstacles, kerbs and map.
   [[nodiscard]] bool is_empty() const { return is_empty_; }
 
-  /// Between the vehicle and the nearest thing that it must not touch [m]. At one position it is
-  /// the distance, 0 if they touch or one holds the other; on a passage it is no more than that at
-  /// any of its positions. It is never more than `most`.
+  /// Distance of the vehicle from the nearest obstacle, kerb or blocked cell [m]; 0 if they touch
+  /// or one contains the other. On a passage it is a lower bound for all positions. Values are cut
+  /// off at `most`.
   [[nodiscard]] double clearance(const View& view, const Outlines& outlines, double most,
                                  Effort& effort) const;
 
-  /// Something at a position that is at most so far from the vehicle [m].
+  /// First obstacle that is at most `distance` [m] from the vehicle at a position; else the first
+  /// kerb, else the map.
   [[nodiscard]] Thing first_within(double distance, const View& view,
                                    const Outlines& outlines) const;
 
  private:
-  std::vector<std::size_t> fences_;  // of each area that the body stays in: they come first
+  // Number of fences of each `inside` area; fences are the first obstacles.
+  std::vector<std::size_t> fences_;
   PolygonTree obstacles_;
   PolygonTree kerbs_;
   std::optional<CellTree> cells_;
   bool is_empty_;
 };
 
-/// What can be hit in a world; made when the judge needs it first, and kept with the world.
+/// Ground of a world. The first call builds it and stores it in the world.
 [[nodiscard]] std::shared_ptr<const Ground> ground_of(const World& world);
 
-/// For a world that has changed, from what could be hit before.
+/// Stores a new ground in a world that has changed; `before` is the ground before the change.
 void renew_ground(const World& world, const Ground& before, std::span<const CellRange> cells);
 
 }  // namespace vandplan::judge

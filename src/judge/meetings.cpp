@@ -11,17 +11,17 @@
 namespace vandplan::judge {
 namespace {
 
-constexpr double look_at_most = 1e-3;  // [m]
-constexpr double look_share = 0.05;    // of the distance
+constexpr double look_at_most = 1e-3;  // distance that may be missed between two looks [m]
+constexpr double look_share = 0.05;    // share of the distance that may be missed between two looks
 constexpr double infinity_of_distance = std::numeric_limits<double>::infinity();
 
-/// What moves, and what of it holds until when.
+/// State of a moving obstacle, with bounds that hold for some time.
 struct Whereabouts {
   bool is_there = true;
   Position position;
-  Real speed = 0;   // of any of its points, growth included [m/s]
-  Real growth = 0;  // so far [m]
-  Real until = 0;   // [s]
+  Real speed = 0;   // largest speed of any point of the outline, growth included [m/s]
+  Real growth = 0;  // growth of the outline so far [m]
+  Real until = 0;   // end of the span in which `speed` holds [s]
 };
 
 Position position_of(const Pose& pose) { return {pose.x, pose.y, pose.heading}; }
@@ -35,7 +35,8 @@ class Neighbour {
     }
   }
 
-  /// Its trajectory, row by row; after the last row nothing changes any more.
+  /// State of the obstacle at time `t` [s]. After the last row of its trajectory it does not
+  /// change.
   [[nodiscard]] Whereabouts at(Real t) const {
     const auto& rows = obstacle_.trajectory;
     const Real last = rows.back().t;
@@ -62,7 +63,7 @@ class Neighbour {
             rows[i + 1].t};
   }
 
-  /// From the body of a vehicle to the outline [m]: the vehicle is put into the outline's frame.
+  /// Distance of a vehicle's body from the outline [m], computed in the outline's frame.
   [[nodiscard]] double distance(const Position& vehicle, const Position& own,
                                 const Outline& body) const {
     const Real cos = std::cos(own.heading);
@@ -101,7 +102,7 @@ Company company_on(const Driver& driver, std::span<const MovingObstacle> moving,
         company.too_near = Encounter{i, t, distance};
       }
       if (is_near || t >= rest) break;
-      // Until then nothing comes nearer by more than that, and what is said of speeds holds.
+      // The next look is due before the distance can fall by `safe`, or a bound of speed ends.
       const Real speed = moment.speed * driver.swing + other.speed;
       const double beyond = std::max(distance - company.clearance, 0.0) + look_share * distance;
       const Real safe = std::min(beyond, distance - kept) + look_at_most;

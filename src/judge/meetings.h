@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Who is met on a drive, in the eyes of the judge?
+// Which moving obstacles does a drive meet, in the eyes of the judge?
 //
-// Method and proof: docs/algorithms/moving.md.
+// Method: docs/algorithms/moving.md; proof: docs/proofs/moving.md.
 
 #include <cstddef>
 #include <functional>
@@ -17,36 +17,38 @@
 
 namespace vandplan::judge {
 
-/// Where a body of the vehicle is at a time, and for how long what is said of its speed holds.
+/// State of a body at a time, with a bound of its speed for some time.
 struct Moment {
   Position position;
-  Real speed = 0;  ///< of the rear axle of the vehicle until `until`, at most [m/s]
-  Real until = 0;  ///< a later time [s]
+  Real speed = 0;  ///< largest speed of the vehicle's rear axle before `until` [m/s]
+  Real until = 0;  ///< end of the span in which `speed` holds; later than now [s]
 };
 
-/// The vehicle on its drive, or its trailer.
+/// Vehicle or trailer on a drive.
 struct Driver {
   Outline body;
-  Real swing = 1;                       ///< no point of it moves further for each metre driven [m]
-  std::function<Moment(Real t)> where;  ///< at any time from 0 on
+  Real swing = 1;  ///< upper bound of the motion of any point of the body per metre driven
+  std::function<Moment(Real t)> where;  ///< state of the body at time t >= 0 [s]
 };
 
-/// The one who comes nearest first below what is to be kept.
+/// First approach of a moving obstacle that is nearer than required.
 struct Encounter {
   std::size_t obstacle = 0;
-  Real t = 0;           ///< [s]
-  double distance = 0;  ///< [m]
+  Real t = 0;           ///< time of the approach [s]
+  double distance = 0;  ///< distance at that time [m]
 };
 
-/// How near a body comes to what moves.
+/// How near a body comes to moving obstacles.
 struct Company {
-  double clearance = 0.0;  ///< least, too large by 1 mm and a twentieth at most [m]; or infinity
-  std::optional<Encounter> too_near;  ///< the first one nearer than `kept`, or that touches
+  /// Least clearance [m]; at most 1 mm plus a twentieth too large; infinity without obstacles.
+  double clearance = 0.0;
+  std::optional<Encounter> too_near;  ///< first approach nearer than `kept`, or first contact
 };
 
-/// Looks wherever the distance may have become less by a millimetre than what is kept, or by that
-/// and a twentieth than the least one known, from time 0 until all is at rest for ever. `end`: the
-/// vehicle drives no longer [s].
+/// How near a body comes to moving obstacles, from time 0 until everything is at rest for ever.
+/// Time steps are so short that no distance falls unseen below `kept` [m] by more than 1 mm. The
+/// least known distance may be missed by 1 mm plus a twentieth. The vehicle stands from `end` on
+/// [s].
 [[nodiscard]] Company company_on(const Driver& driver, std::span<const MovingObstacle> moving,
                                  Real end, double kept);
 

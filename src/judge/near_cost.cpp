@@ -9,17 +9,22 @@
 namespace vandplan::judge {
 namespace {
 
-constexpr double looks = 64;           // for each `clearance_distance`, at most
-constexpr double fewest_looks = 8;     // where something counts
-constexpr double agreement = 1e-4;     // of two rules, of the cost of a metre
-constexpr double most_looks = 1e6;     // for a path
-constexpr double least_looks = 256;    // so that what two rules overlook is little of it
-constexpr double usual_swing = 3;      // corners that move faster than the axle need more looks
-constexpr Real most_at_once = 1000.0;  // metres that one look may show to be far from everything
+constexpr double looks = 64;  // largest number of samples per `clearance_distance`
+// Least number of samples per `clearance_distance` where the cost is not 0.
+constexpr double fewest_looks = 8;
+// Largest difference of two integration rules, relative to the cost of a metre.
+constexpr double agreement = 1e-4;
+constexpr double most_looks = 1e6;  // largest number of samples of a path
+// Least number of samples of a path: two rules together may overlook a kink.
+constexpr double least_looks = 256;
+// Corners that move faster than this, per metre of the axle, need more samples.
+constexpr double usual_swing = 3;
+// Largest half length that one look may prove free of cost [m].
+constexpr Real most_at_once = 1000.0;
 
 class Integral {
  public:
-  /// No point of the bodies moves further than `swing` for each metre driven.
+  /// `swing` bounds the motion of any point of the bodies per metre driven.
   Integral(std::span<const Body> bodies, const CostOptions& rule, double swing, Real step)
       : bodies_(bodies),
         distance_(*rule.clearance_distance),
@@ -28,13 +33,13 @@ class Integral {
         most_(step * looks / fewest_looks),
         tolerance_(agreement / std::max(1.0, *rule.clearance_weight)) {}
 
-  /// Of max(0, 1 - clearance / distance), from `begin` to `end` of a stretch [m].
+  /// Integral of max(0, 1 - clearance / distance) from `begin` to `end` of a stretch [m].
   [[nodiscard]] Real over(std::size_t stretch, Real begin, Real end) {
     const Real middle = (begin + end) / 2;
     if (end - begin <= 4 * most_) return near(stretch, begin, end);
     const Real half = (end - begin) / 2;
     if (half > most_at_once) return over(stretch, begin, middle) + over(stretch, middle, end);
-    // What is seen from the middle tells of all the rest: nothing comes nearer than it moves.
+    // The clearance in the middle bounds the clearance elsewhere, by the motion of the bodies.
     const double moved = swing_ * static_cast<double>(half);
     const double here = clearance(stretch, middle, distance_ + moved);
     if (here >= distance_ + moved) return 0;
@@ -43,7 +48,7 @@ class Integral {
   }
 
  private:
-  /// As `over`, where what is far from everything needs no regard.
+  /// Like `over`, for parts that are near obstacles.
   [[nodiscard]] Real near(std::size_t stretch, Real begin, Real end) {
     const Real middle = (begin + end) / 2;
     if (end - begin > 4 * most_) return near(stretch, begin, middle) + near(stretch, middle, end);
@@ -51,8 +56,8 @@ class Integral {
                    {at(stretch, begin), at(stretch, middle), at(stretch, end)});
   }
 
-  /// Simpson's rule from the values at both ends and in the middle, halved until that changes
-  /// little: at kinks, mostly.
+  /// Simpson's rule from the values at both ends and in the middle. The part is halved until that
+  /// changes little, which happens mostly at kinks.
   [[nodiscard]] Real simpson(std::size_t stretch, Real begin, Real end,
                              const std::array<double, 3>& values) {
     const auto& [first, middle, last] = values;
@@ -79,8 +84,8 @@ class Integral {
   std::span<const Body> bodies_;
   double distance_;
   double swing_;
-  Real step_;  // between looks, at least
-  Real most_;  // at most
+  Real step_;  // least distance between samples [m]
+  Real most_;  // largest distance between samples [m]
   double tolerance_;
   Effort effort_;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What does being near things add to the cost of a path, in the eyes of the judge?
+// What does nearness to obstacles add to the cost of a path, in the eyes of the judge?
 
 #include <span>
 
@@ -10,9 +10,9 @@
 
 namespace vandplan::judge {
 
-/// The integral of `clearance_weight` max(0, 1 - clearance / `clearance_distance`) along the track
-/// of the bodies, of which the one counts that is nearest to something; metres in reverse weighted
-/// as the rule has it [m].
+/// Integral of `clearance_weight` max(0, 1 - clearance / `clearance_distance`) along the track [m].
+/// At each place the body with the least clearance counts. Each metre also has the weight of its
+/// gear.
 [[nodiscard]] double near_cost(std::span<const Body> bodies, const CostOptions& stated);
 
 }  // namespace vandplan::judge

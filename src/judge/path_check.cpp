@@ -26,15 +26,16 @@ namespace {
 
 using namespace judge;
 
-constexpr double stated_tolerance = 1e-5;  // of a stated goal [m, rad]: others round figures
+constexpr double stated_tolerance = 1e-5;  // tolerance of stated, rounded goals [m, rad]
 constexpr double position_tolerance = 1e-6;
 constexpr double heading_tolerance = 1e-6;
-constexpr double curvature_slack = 1e-9;  // relative
-constexpr double bounds_slack = 1e-9;     // [m]
-constexpr double margin_slack = 1e-6;     // [m]
-// A vehicle beside a kerb, parallel to it, moves away with the square of the way that it drives; a
-// ramp grows evenly. Without a slack there would be no way out, however long the ramp is.
-constexpr double ramp_slack = 1e-3;  // [m]
+constexpr double curvature_slack = 1e-9;  // relative tolerance of curvatures
+constexpr double bounds_slack = 1e-9;     // tolerance of the bounds [m]
+constexpr double margin_slack = 1e-6;     // tolerance of the margin [m]
+// Tolerance of ramps [m]. A vehicle parallel to a kerb moves away with the square of its driven
+// distance, but a ramp grows linearly. Without slack, not even a long ramp would let the vehicle
+// leave.
+constexpr double ramp_slack = 1e-3;
 
 struct Fault {
   std::string reason;
@@ -48,7 +49,7 @@ Place end_of(const Track& track) {
 
 // ---- What can be wrong ----
 
-/// Numbers that nobody can integrate.
+/// First number of a path that cannot be integrated.
 std::optional<Fault> out_of_reason(const Path& path) {
   const Pose& start = path.start;
   if (!std::isfinite(start.x) || !std::isfinite(start.y) || !std::isfinite(start.heading)) {
@@ -98,7 +99,8 @@ std::optional<Fault> too_tight(const Track& track, double radius) {
   return std::nullopt;
 }
 
-/// Where a stretch has turned by `turn`: curvature t + rate t^2 / 2 = turn, within its length.
+/// Appends places within a stretch where it has turned by `turn`: curvature t + rate t^2 / 2 =
+/// turn.
 void add_places_of(const Stretch& stretch, Real turn, std::vector<Real>& places) {
   const auto add = [&](Real t) {
     if (t > 0 && t < stretch.length) places.push_back(t);
@@ -112,7 +114,7 @@ void add_places_of(const Stretch& stretch, Real turn, std::vector<Real>& places)
   add(-sum / rate);
 }
 
-/// Where on a clothoid's stretch x or y can be extreme. It turns by less than a quarter.
+/// Places of a clothoid's stretch where x or y can be extreme. It turns by less than a quarter.
 std::vector<Real> extremes_of_clothoid(const Stretch& stretch) {
   std::vector<Real> places = {0, stretch.length};
   const Real first = stretch.start.heading / (full_turn / 4);
@@ -124,7 +126,7 @@ std::vector<Real> extremes_of_clothoid(const Stretch& stretch) {
   return places;
 }
 
-/// Where on a stretch x or y can be extreme: its ends, and where it points along an axis.
+/// Places of a stretch where x or y can be extreme: its ends, and where it points along an axis.
 std::vector<Real> extremes(const Stretch& stretch) {
   if (stretch.rate != 0) return extremes_of_clothoid(stretch);
   std::vector<Real> places = {0, stretch.length};
@@ -153,8 +155,8 @@ std::optional<Fault> out_of_bounds(const Track& track, const Bounds& bounds) {
   return std::nullopt;
 }
 
-/// A vehicle that begins in none of the areas that it may not leave, or its trailer not in the same
-/// one. Later they would meet a fence.
+/// Fault of the start: vehicle and trailer must begin in the same `inside` area. Later they would
+/// hit a fence.
 std::optional<Fault> begins_outside(const Track& track, const Trailing* trailing,
                                     const std::vector<Polygon>& inside) {
   if (inside.empty()) return std::nullopt;
@@ -172,19 +174,19 @@ std::optional<Fault> begins_outside(const Track& track, const Trailing* trailing
                Place{0, 0}, Hit{HitKind::inside}};
 }
 
-/// The wheels are many, the footprint is one.
+/// Whether the name of a part is plural: "the wheels", but "the footprint".
 bool is_of_many(std::string_view part) { return part.ends_with('s'); }
 
-/// All bodies of the vehicle.
+/// All bodies of the vehicle: tractor and trailer.
 using Bodies = std::vector<Body>;
 
-/// The first body on the way that comes nearer to something than it may, and where.
+/// First place along the path where a body is nearer than allowed.
 struct Touch {
   const Body* body = nullptr;
   Place place = {};
 };
 
-/// `least` becomes the least clearance of all bodies.
+/// First touch of any body. Lowers `least` to the least clearance of all bodies [m].
 std::optional<Touch> first_touch(const Bodies& bodies, const Keeping& keeping, double& least) {
   std::optional<Touch> first;
   for (const Body& body : bodies) {
@@ -198,7 +200,7 @@ std::optional<Touch> first_touch(const Bodies& bodies, const Keeping& keeping, d
   return first;
 }
 
-/// The first collision on the way; without one `least` is the clearance.
+/// First collision along the path. Without one, `least` becomes the clearance [m].
 std::optional<Fault> collision(const Bodies& bodies, double& least) {
   const std::optional<Touch> touch = first_touch(bodies, {}, least);
   if (!touch) return std::nullopt;
@@ -207,7 +209,7 @@ std::optional<Fault> collision(const Bodies& bodies, double& least) {
                touch->place, hit};
 }
 
-/// Of all bodies at a place, no more than `most` [m].
+/// Least clearance of all bodies at a place [m], cut off at `most`.
 double clearance_at(const Bodies& bodies, const Place& place, double most) {
   Effort effort;
   double least = most;
@@ -215,7 +217,7 @@ double clearance_at(const Bodies& bodies, const Place& place, double most) {
   return least;
 }
 
-/// The trailer folds up further than it may.
+/// First place where the hitch angle exceeds its limit.
 std::optional<Fault> jackknife(const Trailing& trailing, double limit) {
   const auto place = trailing.first_beyond(static_cast<Real>(limit) + heading_tolerance);
   if (!place) return std::nullopt;
@@ -231,7 +233,7 @@ std::optional<Fault> off_hitch_angle(Real actual, double expected, const char* w
   return Fault{text("the path %s with a hitch angle %.3g rad off", what, off), place};
 }
 
-/// What is to be kept: less around the ends of the path, if there is less and a ramp.
+/// Distances to be kept; with ramps they are less around ends that are nearer than the margin.
 Keeping keeping_of(const Track& track, const Bodies& bodies, const ClearanceOptions& stated) {
   Keeping keeping{stated.margin - margin_slack, {}};
   if (!(stated.margin_ramp > 0)) return keeping;
@@ -244,7 +246,7 @@ Keeping keeping_of(const Track& track, const Bodies& bodies, const ClearanceOpti
   return keeping;
 }
 
-/// The first place on the way that is nearer to something than it may be.
+/// First place along the path that is nearer to an obstacle than allowed.
 std::optional<Fault> too_near(const Track& track, const Bodies& bodies,
                               const ClearanceOptions& stated) {
   const Keeping keeping = keeping_of(track, bodies, stated);
@@ -267,7 +269,7 @@ std::optional<Fault> too_near(const Track& track, const Bodies& bodies,
                place, hit};
 }
 
-/// The first metre that is driven in a gear that may not be driven.
+/// First stretch that is driven in a gear that is not allowed.
 std::optional<Fault> wrong_gear(const Track& track, AllowedGears allowed) {
   if (allowed == AllowedGears::both) return std::nullopt;
   const Real wanted = allowed == AllowedGears::forward ? 1 : -1;
@@ -281,7 +283,7 @@ std::optional<Fault> wrong_gear(const Track& track, AllowedGears allowed) {
   return std::nullopt;
 }
 
-/// Whether somebody states another goal than the one that the path ends at.
+/// Fault of a stated goal that differs from the one at which the path ends.
 std::optional<Fault> false_goal(const Goal& goal, const std::optional<ReachedGoal>& stated) {
   if (!stated) return std::nullopt;
   const Pose& is = goal.pose;
@@ -295,7 +297,7 @@ std::optional<Fault> false_goal(const Goal& goal, const std::optional<ReachedGoa
       {}};
 }
 
-/// The goal of a set that a path is held to: of the region that is claimed, if there is such a one.
+/// The goal to which a path is compared: in the claimed region if it exists, else the nearest.
 Goal goal_of(const Task& task, const Track& track, const Trailing* trailing,
              const PathClaims& claims) {
   std::optional<std::size_t> only;
@@ -303,7 +305,7 @@ Goal goal_of(const Task& task, const Track& track, const Trailing* trailing,
   return nearest_goal(task, track, trailing, claims.steering == Steering::continuous, only);
 }
 
-/// The task with the goal of its set that the path is held to.
+/// The task with `goal` as its only goal.
 Task with_goal(const Task& task, const Goal& goal) {
   Task to = task;
   to.goal = Local(goal.pose);
@@ -312,7 +314,7 @@ Task with_goal(const Task& task, const Goal& goal) {
   return to;
 }
 
-/// What is looked at: the trailer, if there is one, hangs on the track.
+/// First fault of a path, and its least clearance [m]. `trailing` is null without a trailer.
 std::optional<Fault> first_fault(const Task& task, const Track& track, const Trailing* trailing,
                                  const PathClaims& claims, std::optional<double>& least) {
   if (auto f = off_pose(track.stretches[0].start, task.start, "begins", {0, 0})) return f;
@@ -347,12 +349,12 @@ std::optional<Fault> first_fault(const Task& task, const Track& track, const Tra
   return std::nullopt;
 }
 
-/// What is looked at lies in the frame of the world, where numbers are small.
+/// The path in the world's frame, where numbers are small.
 Path local_path(const World& world, const Path& path) {
   return {to_local(world, path.start), path.segments};
 }
 
-/// In the order of `HitKind`.
+/// Names of `HitKind`, in the order of the enumerators.
 constexpr std::array<std::string_view, 5> names_of_kinds = {"obstacles", "kerbs", "map", "bounds",
                                                             "inside"};
 

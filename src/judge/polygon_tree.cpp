@@ -18,12 +18,13 @@ using Node = PolygonTree::Node;
 using Nodes = PolygonTree::Nodes;
 using Range = PolygonTree::Range;
 
-constexpr std::uint32_t most_sides = 8;   // of a chain that is not halved
-constexpr std::size_t many = 256;         // items that are sorted into squares
-constexpr std::size_t most_points = 256;  // that a narrow bar is looked for around
+constexpr std::uint32_t most_sides = 8;  // largest number of sides of a chain that is not halved
+constexpr std::size_t many = 256;        // least number of items that are sorted into squares
+// Largest number of points for which a narrow bar is searched.
+constexpr std::size_t most_points = 256;
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-/// How many chains are not halved, of so many sides.
+/// Number of leaves of a chain with `sides` sides.
 std::size_t chains_of(std::uint32_t sides) {
   if (sides <= most_sides) return 1;
   return chains_of(sides / 2) + chains_of(sides - sides / 2);
@@ -42,12 +43,12 @@ Item item_of(std::span<const Polygon> polygons, std::uint32_t index) {
   return {box, index, static_cast<std::uint32_t>(polygon.size())};
 }
 
-/// What is known of items from one look at each.
+/// Statistics of items from one pass over them.
 struct Spread {
-  Box box;              ///< around all
-  Box middles;          ///< around the middles of their boxes
-  double longest;       ///< size of a box [m]
-  std::size_t corners;  ///< of all
+  Box box;              ///< box around all items
+  Box middles;          ///< box around the middles of the items' boxes
+  double longest;       ///< largest size of an item's box [m]
+  std::size_t corners;  ///< number of corners of all items
 };
 
 Spread spread_of(std::span<const Item> items) {
@@ -61,8 +62,8 @@ Spread spread_of(std::span<const Item> items) {
   return spread;
 }
 
-/// What is much longer than all of it is wide stands apart from the rest, or it would make every
-/// bar long: the number of those, which come first; 0 if there are none, or no others.
+/// Moves long items to the front, and returns their number. Mixed with others they would make every
+/// bar long. Returns 0 if there are no long items, or only long ones.
 std::size_t part_long(std::span<Item> items, const Spread& spread) {
   if (spread.longest <= spread.middles.size()) return 0;
   const auto end = std::partition(items.begin(), items.end(), [&](const Item& item) {
@@ -71,7 +72,7 @@ std::size_t part_long(std::span<Item> items, const Spread& spread) {
   return end == items.end() ? 0 : static_cast<std::size_t>(end - items.begin());
 }
 
-/// Polygons are parted where half of them lie on either side.
+/// Splits items at the median of their middles along the wider axis.
 std::size_t part_in_halves(std::span<Item> items, const Spread& spread) {
   const auto& [low, high] = spread.middles;
   const bool wide = high.x - low.x > high.y - low.y;
@@ -85,25 +86,25 @@ std::size_t part_in_halves(std::span<Item> items, const Spread& spread) {
   return half;
 }
 
-/// The number of items in the first part.
+/// Splits items in two; returns the number of items in the first part.
 std::size_t part(std::span<Item> items, const Spread& spread) {
   const std::size_t of_long = part_long(items, spread);
   return of_long > 0 ? of_long : part_in_halves(items, spread);
 }
 
-/// A square of squares around the middles of many items, sorted so that those of a quarter, of a
-/// quarter of it, and so on, stand together.
+/// Grid of 8 x 8 squares around the middles of many items. Items are sorted along a Z curve: those
+/// of a quarter, of a quarter of that, and so on, are adjacent.
 class Squares {
  public:
   static constexpr std::size_t count = 64;
 
   Squares(std::span<Item> items, const Spread& spread, std::vector<Item>& buffer);
 
-  /// Items of the squares before this one.
+  /// Number of items in the squares before `square`.
   [[nodiscard]] std::size_t before(std::size_t square) const { return before_[square]; }
-  /// Around the items of some squares, of which one has some.
+  /// Box around the items of the squares from `first` to `last` - 1, of which one must have items.
   [[nodiscard]] Box box(std::size_t first, std::size_t last) const;
-  /// Whether one square has nearly all: sorting brought next to nothing.
+  /// Whether one square has nearly all items, so that sorting gained nothing.
   [[nodiscard]] bool has_most() const;
 
  private:
@@ -111,7 +112,7 @@ class Squares {
   std::array<Box, count> boxes_ = {};
 };
 
-/// Items are sorted by counting, `buffer` holds them meanwhile.
+/// Counting sort; `buffer` holds the items meanwhile.
 Squares::Squares(std::span<Item> items, const Spread& spread, std::vector<Item>& buffer) {
   constexpr std::uint32_t side = 8;
   const Box& around = spread.middles;
@@ -161,7 +162,7 @@ std::size_t add_children(Nodes& nodes, std::size_t node) {
   return child;
 }
 
-/// Makes the tree above the groups: of polygons that are sorted, ...
+/// Builds the tree above the groups, and sorts the polygons into groups.
 class Sorter {
  public:
   explicit Sorter(std::vector<Item> items) : items_(std::move(items)) {
@@ -206,7 +207,7 @@ void Sorter::sort_parts(std::size_t node, std::span<Item> items, std::size_t hal
   sort(child + 1, items.subspan(half));
 }
 
-/// Halves the squares until one is left, or few items.
+/// Adds the tree of a range of squares: halves the range until one square is left, or few items.
 void Sorter::sort_squares(std::size_t node, std::span<Item> items, const Squares& squares,
                           Range of) {
   const std::size_t first = of.first, last = of.first + of.count;
@@ -222,7 +223,7 @@ void Sorter::sort_squares(std::size_t node, std::span<Item> items, const Squares
   sort_squares(child + 1, items, squares, high);
 }
 
-/// ... and the tree of a group.
+/// Builds the tree of a group.
 class Builder {
  public:
   Builder(std::span<const Polygon> polygons, std::vector<Item> items);
@@ -236,7 +237,7 @@ class Builder {
 
   std::span<const Polygon> polygons_;
   Nodes nodes_;
-  std::vector<Point> points_;  // that a bar is looked for around
+  std::vector<Point> points_;  // points of the bar that is being built
 };
 
 Builder::Builder(std::span<const Polygon> polygons, std::vector<Item> items) : polygons_(polygons) {
@@ -282,7 +283,8 @@ Bar Builder::bar_around(std::span<const Item> items) {
 
 Bar Builder::bar_around(const Chain& chain) {
   const std::span<const Point> polygon = polygons_[chain.polygon];
-  const std::size_t end = std::size_t{chain.first} + chain.sides;  // the last corner, or the first
+  // Index of the last corner; beyond the last corner of the polygon it means the first.
+  const std::size_t end = std::size_t{chain.first} + chain.sides;
   const auto corners =
       polygon.subspan(chain.first, std::min(end + 1, polygon.size()) - chain.first);
   const Point& last = polygon[end % polygon.size()];
@@ -298,7 +300,7 @@ Bar Builder::bar_around(const Chain& chain) {
 
 }  // namespace
 
-/// What is nearest, on one passage.
+/// Search for the nearest polygon on one passage.
 class PolygonTree::Search {
  public:
   Search(const PolygonTree& tree, const View& view, const Outline& body, double most,
@@ -307,7 +309,7 @@ class PolygonTree::Search {
 
   [[nodiscard]] double least() const { return std::max(0.0, least_); }
 
-  /// Lowers `least` to the clearance of what is in a node.
+  /// Lowers `least` to the clearance of the polygons in a node.
   void look(const Nodes& nodes, const Node& node);
 
  private:
@@ -439,10 +441,10 @@ void PolygonTree::find_within(double distance, const Nodes& nodes, const Node& n
 
 namespace {
 
-// A bar is larger than what is in it by many times what a double loses (`slack` of bars.cpp). So a
-// position rounded to double does for both of these.
+// Bars are enlarged by many times the rounding error of a double (`slack` of bars.cpp). So
+// positions rounded to double suffice for the next two functions.
 
-/// A bar is convex: a polygon in it does not hold what the bar does not hold.
+/// Whether a bar contains a point. A bar is convex, so polygons in it contain no point outside it.
 bool holds(const Bar& bar, const Point& p) {
   const double dx = bar.b.x - bar.a.x;
   const double dy = bar.b.y - bar.a.y;
@@ -454,7 +456,7 @@ bool holds(const Bar& bar, const Point& p) {
   return x * x + y * y <= bar.radius * bar.radius;
 }
 
-/// What a bar spans of an axis.
+/// Projection of a bar onto an axis [m].
 struct Span {
   double low, high;
 };
@@ -471,14 +473,14 @@ bool holds(const Span& span, double value) { return span.low <= value && value <
 
 }  // namespace
 
-/// Whether a ray along the x axis crosses an odd number of the sides in a node, a chain.
+/// Whether a ray from the axle along the x axis crosses an odd number of sides of a node's chain.
 bool PolygonTree::is_crossed(const Nodes& nodes, const Node& node, const View& view) const {
   const Span x = across(node.bar);
   if (x.high < view.axle.x || !holds(along(node.bar), view.axle.y)) return false;
   const Position& from = view.passage.middle;
   const Chain& chain = node.chain;
   const auto is_above = [&](std::uint32_t i) { return corner(chain, i).y > from.y; };
-  // Where all of the chain is ahead, the ray crosses it as often as the whole line does.
+  // If the whole chain is ahead, the ray crosses it as often as the whole line does.
   if (x.low > view.axle.x) return is_above(0) != is_above(chain.sides);
   if (node.child != 0) {
     return is_crossed(nodes, nodes[node.child], view) !=

@@ -3,10 +3,10 @@
 #pragma once
 // How far is the vehicle from the nearest of many polygons, in the eyes of the judge?
 //
-// A tree of bars. Below its upper part, which sorts polygons, each polygon is a chain of sides that
-// is halved again and again: parts of a chain lie together, and how often a ray crosses one shows
-// at its ends unless the ray begins beside it. What is below a few polygons is made when somebody
-// looks there for the first time: most paths pass by most of a large site.
+// A tree of bars. The upper part sorts polygons. Below it each polygon is a chain of sides, which
+// is halved again and again. The ends of a chain tell how often a ray crosses it, unless the ray
+// begins beside the chain. The tree of a few polygons is built when it is first needed, because
+// most paths pass by most of a large site.
 
 #include <atomic>
 #include <cstddef>
@@ -23,39 +23,39 @@ namespace vandplan::judge {
 
 class PolygonTree {
  public:
-  /// The polygons are only looked at: they must stay where they are as long as the tree is used.
+  /// `polygons` are kept by reference.
   explicit PolygonTree(std::span<const Polygon> polygons);
 
-  /// Between the closed body and the closed polygons [m], if the curvature is constant: at one
-  /// position the distance, 0 if one holds the other; on a passage no more than that at any of its
-  /// positions; never more than `most`.
+  /// Distance between the closed body and the closed polygons [m], if the curvature is constant; 0
+  /// if one contains the other. On a passage it is a lower bound for all positions. Values are cut
+  /// off at `most`.
   [[nodiscard]] double clearance(const View& view, const Outline& body, double most,
                                  Effort& effort) const;
 
-  /// The first polygon that is at most so far from the body at a position [m], or holds it.
+  /// First polygon that is at most `distance` [m] from the body at a position, or contains it.
   [[nodiscard]] std::optional<std::size_t> first_within(double distance, const View& view,
                                                         const Outline& body) const;
 
-  /// Sides of one polygon, one after the other; side i goes from corner i to the next.
+  /// Consecutive sides of one polygon; side i goes from corner i to the next corner.
   struct Chain {
     std::uint32_t polygon = 0;
     std::uint32_t first = 0;
     std::uint32_t sides = 0;
   };
 
-  /// Polygons, or the chain of sides of one, and the bar that all of it is in.
+  /// Node of the tree: several polygons or a chain of sides, and a bar that contains them.
   struct Node {
     Bar bar = {};
-    std::uint32_t child = 0;  ///< the first of two that stand together; 0: none
-    Chain chain = {};         ///< without sides where there are many polygons
-    /// Where there is neither: those of that place in `groups_`.
+    std::uint32_t child = 0;  ///< index of the first of two adjacent children; 0: none
+    Chain chain = {};         ///< chain of sides; it has no sides if the node has several polygons
+    /// Index into `groups_`, if the node has neither children nor a chain.
     std::uint32_t group = 0;
   };
 
-  /// A tree whose root is the first of them.
+  /// Nodes of a tree; the first one is the root.
   using Nodes = std::vector<Node>;
 
-  /// Some polygons, those from one place in a list to another.
+  /// Range of polygons in a list.
   struct Range {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
@@ -64,8 +64,8 @@ class PolygonTree {
  private:
   class Search;
 
-  /// The tree of a group, from the moment that somebody asks for it. May be used from several
-  /// threads at once: those who come at the same time make the same.
+  /// Tree of a group of polygons, which is built on first use. It may be used by several threads at
+  /// once: threads that come at the same time build equal trees, of which one is kept.
   class Group {
    public:
     Group() = default;
@@ -89,10 +89,11 @@ class PolygonTree {
                    const Outline& body, std::size_t& first, Effort& effort) const;
 
   std::span<const Polygon> polygons_;
-  std::vector<std::uint32_t> order_;  ///< of the polygons: those of a group stand together
-  std::vector<Range> ranges_;         ///< of each group
+  /// Order of the polygons, in which those of a group are adjacent.
+  std::vector<std::uint32_t> order_;
+  std::vector<Range> ranges_;  ///< range of `order_` of each group
   std::unique_ptr<Group[]> groups_;
-  Nodes nodes_;  ///< above the groups
+  Nodes nodes_;  ///< nodes above the groups
 };
 
 }  // namespace vandplan::judge

@@ -9,14 +9,14 @@
 namespace vandplan::judge {
 namespace {
 
-constexpr auto rate_slack = static_cast<Real>(1e-9L);  // relative
-// All jumps from one stop to the next come to no more than this part of the tightest curvature. Of
-// each alone, many small ones could turn the wheels at once.
+constexpr auto rate_slack = static_cast<Real>(1e-9L);  // relative tolerance of the curvature rate
+// Largest sum of the jumps from one stop to the next, relative to the tightest curvature. Limited
+// one by one, many small jumps could turn the wheels at once.
 constexpr auto rounding = static_cast<Real>(1e-6L);
 
-/// Change of the curvature per metre that the vehicle can drive [1/m^2].
+/// Largest change of the curvature per metre that the vehicle can drive [1/m^2].
 Real fastest_change(const Vehicle& vehicle) {
-  constexpr Real speed = 1;  // that the steering rate is for [m/s]
+  constexpr Real speed = 1;  // speed at which the steering rate limits the curvature rate [m/s]
   const DrivingLimits& limits = vehicle.limits;
   if (limits.max_curvature_rate) return *limits.max_curvature_rate;
   return static_cast<Real>(limits.max_steering_rate) / (vehicle.wheelbase * speed);
@@ -36,7 +36,7 @@ std::optional<SteeringFault> false_steering(const Track& track, const Task& task
   const bool is_throughout = claimed == Steering::continuous;
   const Real allowed_jump = rounding / task.vehicle.min_turning_radius;
   const Real fastest = fastest_change(task.vehicle);
-  const bool drives = track.length > 0;  // otherwise its one stretch is none
+  const bool drives = track.length > 0;  // an empty track has one stretch of length 0
   Real before = task.curvatures.start;
   Real jumped = 0;
   for (std::size_t i = 0; drives && i < track.stretches.size(); ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Do the wheels turn as they may?
+// Do the wheels turn as the claimed steering allows?
 
 #include <optional>
 #include <string>
@@ -11,15 +11,14 @@
 
 namespace vandplan::judge {
 
-/// What is wrong about the curvature, in one line, and where.
+/// Fault of the curvature in one line, and its place.
 struct SteeringFault {
   std::string reason;
   Place place;
 };
 
-/// The first place at which a path of the task is not steered as somebody says that it is: where
-/// the curvature jumps and must not, changes faster than the vehicle can, or is not the one that
-/// the task has at an end.
+/// First fault of a path's curvature under the claimed steering; none if there is none. It is a
+/// forbidden jump, a change faster than the vehicle can, or a wrong curvature at an end.
 [[nodiscard]] std::optional<SteeringFault> false_steering(const Track& track, const Task& task,
                                                           Steering claimed);
 

@@ -9,7 +9,7 @@
 
 namespace vandplan::judge {
 
-/// A line as `printf` would write it, at most 199 characters.
+/// Text that `printf` would write, cut off after 199 characters.
 std::string text(const char* format, auto... values) {
   std::array<char, 200> buffer;
   std::snprintf(buffer.data(), buffer.size(), format, values...);

@@ -9,13 +9,15 @@ namespace vandplan::judge {
 
 namespace {
 
-/// What is left of an angle is at most a little more than an eighth of a turn.
+/// An angle as a number of quarter turns plus a rest. The rest is at most slightly more than an
+/// eighth of a turn.
 struct Quarters {
   double count = 0;
   Real left = 0;
 };
 
-/// A quarter in two numbers: the first has so few digits that a multiple of it is exact.
+/// Splits an angle. A quarter turn is the sum of two numbers; the first has so few digits that its
+/// multiples are exact.
 Quarters quarters_in(Real angle) {
   constexpr auto first = static_cast<Real>(1.57079637050628662109375L);
   constexpr auto second = static_cast<Real>(-4.371139000186242830836024856e-8L);
@@ -32,8 +34,8 @@ Direction turned(const Direction& from, const Direction& by) {
   return {from.cos * by.cos - from.sin * by.sin, from.sin * by.cos + from.cos * by.sin};
 }
 
-/// On a circle the chord to the place an angle 2a further has length 2 sin(a) / curvature and
-/// points along heading + a.
+/// Placement on a circle: after a turn by 2a, the chord has length 2 sin(a) / curvature and points
+/// along heading + a.
 Placement after_arc(const Stretch& stretch, Real t) {
   const Real way = stretch.direction * t;
   const Real a = stretch.curvature * way / 2;
@@ -44,8 +46,9 @@ Placement after_arc(const Stretch& stretch, Real t) {
   return {{x + chord * along.cos, y + chord * along.sin, heading + 2 * a}, turned(along, half)};
 }
 
-/// How far a vehicle comes in `t` metres if it turns by `turn` t + `growth` t^2 / 2, as seen from
-/// its start: the power series of exp(i (turn v + growth v^2 / 2)), integrated term by term.
+/// Displacement of a vehicle after `t` metres, in the frame of its start. It turns by `turn` v +
+/// `growth` v^2 / 2 within v metres. The power series of exp(i (turn v + growth v^2 / 2)) is
+/// integrated term by term.
 Way series(Real turn, Real growth, Real t) {
   constexpr int terms = 40;
   const Real first = turn * t;
@@ -77,7 +80,8 @@ Placement after_clothoid(const Stretch& stretch, Real t) {
 
 }  // namespace
 
-// The library's functions take several times as long for angles of more than an eighth of a turn.
+// Angles are reduced first, because library functions are several times slower beyond an eighth of
+// a turn.
 Direction direction_of(Real angle) {
   if (angle == 0) return {};
   constexpr double most_quarters = 1e8;
@@ -105,7 +109,7 @@ Real steepest(const Stretch& stretch) {
   return std::max(std::abs(stretch.curvature), std::abs(curvature_at(stretch, stretch.length)));
 }
 
-// On each, length * (|curvature| + sqrt |rate|) is at most 1/2 (docs/algorithms/path_check.md).
+// On each stretch, length * (|curvature| + sqrt |rate|) is at most 1/2 (docs/proofs/judge.md).
 Real stretches_of(const Segment& segment) {
   if (segment.curvature_rate == 0) return 1;
   const Real length = std::abs(static_cast<Real>(segment.length));

@@ -14,8 +14,8 @@
 
 namespace vandplan::judge {
 
-/// What the judge computes with: more digits than what it judges, but for WebAssembly, which has
-/// none above double in hardware; there a millimetre is looked at with 1e-9 m of rounding.
+/// Number type of the judge. It has more digits than the numbers that are judged, except in
+/// WebAssembly. There double is the widest type in hardware: looks have a rounding error of 1e-9 m.
 #ifdef __wasm__
 using Real = double;
 #else
@@ -38,29 +38,29 @@ struct Direction {
 
 [[nodiscard]] Direction direction_of(Real angle);
 
-/// A position and the direction of its heading.
+/// Position with cosine and sine of its heading.
 struct Placement {
   Position position;
   Direction direction;
 };
 
-/// A segment and where it begins; of a clothoid a part so short that `after` is exact.
+/// A segment with its start pose. A clothoid is cut into stretches so short that `after` is exact.
 struct Stretch {
   Position start;
-  Real curvature = 0;  ///< at the start [1/m]
-  Real direction = 1;  ///< 1 forward, -1 reverse
-  Real length = 0;     ///< driven, >= 0
-  Real s = 0;          ///< driven before
+  Real curvature = 0;  ///< curvature at the start [1/m]
+  Real direction = 1;  ///< gear: 1 forward, -1 reverse
+  Real length = 0;     ///< driven length [m]; >= 0
+  Real s = 0;          ///< distance from the start of the track to the stretch [m]
   Real rate = 0;       ///< change of the curvature per metre driven [1/m^2]
-  Direction ahead = direction_of(start.heading);  ///< at the start
+  Direction ahead = direction_of(start.heading);  ///< direction of the heading at the start
 };
 
-/// So many stretches a clothoid may take, and all clothoids of a path together; what takes more
-/// winds too often to be judged.
+/// Largest numbers of stretches of one clothoid, and of all clothoids of a path. Other paths wind
+/// too often to be judged.
 inline constexpr Real most_stretches = 1e4L;
 inline constexpr Real most_stretches_of_all = 1e6L;
 
-/// How many stretches a segment is taken in: 1, or for a clothoid as many as `after` needs.
+/// Number of stretches of a segment: 1, or for a clothoid as many as `after` needs.
 [[nodiscard]] Real stretches_of(const Segment& segment);
 
 /// Curvature `t` metres into a stretch [1/m].
@@ -71,22 +71,23 @@ inline constexpr Real most_stretches_of_all = 1e6L;
 /// The largest absolute curvature on a stretch [1/m].
 [[nodiscard]] Real steepest(const Stretch& stretch);
 
-/// `t` metres into a stretch.
+/// Place `t` metres into a stretch.
 struct Place {
   std::size_t stretch = 0;
   Real t = 0;
 };
 
 struct Track {
-  std::vector<Stretch> stretches;  ///< never empty
+  std::vector<Stretch> stretches;  ///< stretches of the path; never empty
   Position end;
   Real length = 0;
   Real reverse_length = 0;
   int gear_changes = 0;
-  Real curvature_change = 0;  ///< total variation, from the first stretch to the last [1/m]
+  Real curvature_change = 0;  ///< total variation of the curvature along the track [1/m]
 };
 
-/// Every number of the path is finite, and its clothoids take no more stretches than they may.
+/// Integrates a path. Its numbers must be finite, and its clothoids must not exceed
+/// `most_stretches` and `most_stretches_of_all`.
 [[nodiscard]] Track integrate(const Path& path);
 
 [[nodiscard]] Placement placement_after(const Stretch& stretch, Real t);

@@ -9,7 +9,7 @@ namespace vandplan::judge {
 namespace {
 
 constexpr Real steps_per_wheelbase = 128;
-constexpr Real most_steps = 1e6;  // of a stretch
+constexpr Real most_steps = 1e6;  // largest number of steps of a stretch
 
 }  // namespace
 
@@ -32,14 +32,15 @@ Trailing::Trailing(const Track& track, const Vehicle& vehicle, double start_angl
   end_angle_ = angle;
 }
 
-/// The trailer turns as fast as its hitch moves aside, over its wheelbase.
+/// Derivative of the hitch angle per metre driven: the trailer turns by the sideways motion of its
+/// hitch over its wheelbase.
 Real Trailing::rate(const Stretch& stretch, Real t, Real angle) const {
   const Real curvature = curvature_at(stretch, t);
   const Real aside = std::sin(angle) + hitch_ * curvature * std::cos(angle);
   return stretch.direction * (curvature - aside / wheelbase_);
 }
 
-/// One step by the method of Runge and Kutta.
+/// Hitch angle after one Runge-Kutta step of `step` metres [rad].
 Real Trailing::driven(const Stretch& stretch, Real t, Real step, Real angle) const {
   const Real half = step / 2;
   const Real first = rate(stretch, t, angle);

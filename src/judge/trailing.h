@@ -3,7 +3,8 @@
 #pragma once
 // Where is the trailer while its tractor drives, in the eyes of the judge?
 //
-// By numerical integration, where planners have closed forms: docs/algorithms/path_check.md.
+// The judge integrates numerically, where planners have closed forms:
+// docs/algorithms/path_check.md.
 
 #include <optional>
 #include <vector>
@@ -13,33 +14,35 @@
 
 namespace vandplan::judge {
 
-/// A trailer that is pulled along a track.
+/// Motion of a trailer that is pulled along a track.
 class Trailing {
  public:
-  /// The vehicle has a trailer; it and the track outlive this.
+  /// `vehicle` has a trailer. `track` is kept by reference. `start_angle` is the hitch angle at the
+  /// start [rad].
   Trailing(const Track& track, const Vehicle& vehicle, double start_angle);
 
-  /// Heading of the tractor - heading of the trailer, whole turns included [rad].
+  /// Hitch angle: heading of the tractor less heading of the trailer, whole turns included [rad].
   [[nodiscard]] Real angle(const Place& place) const;
 
-  /// The midpoint of the trailer's axle and where the trailer points.
+  /// Midpoint of the trailer's axle, with the heading of the trailer.
   [[nodiscard]] Position position(const Place& place) const;
 
-  /// At the end of the track [rad].
+  /// Hitch angle at the end of the track [rad].
   [[nodiscard]] Real end_angle() const { return end_angle_; }
 
-  /// The largest |angle| looked at [rad].
+  /// Largest absolute hitch angle at the integration steps [rad].
   [[nodiscard]] Real largest_angle() const;
 
-  /// The first place looked at where the angle is larger than that [rad].
+  /// First integration step at which the absolute hitch angle exceeds `limit` [rad]; none if there
+  /// is none.
   [[nodiscard]] std::optional<Place> first_beyond(Real limit) const;
 
-  /// No point within `reach` of the trailer's axle [m] moves further on a stretch than this for
-  /// each metre that the tractor drives.
+  /// Upper bound of the motion of any point within `reach` of the trailer's axle [m], per metre
+  /// that the tractor drives on a stretch.
   [[nodiscard]] double speed(const Stretch& stretch, double reach) const;
 
  private:
-  /// Angles at even distances on a stretch.
+  /// Hitch angles at equal distances on a stretch.
   struct Angles {
     Real step = 0;
     std::vector<Real> at;
@@ -50,7 +53,7 @@ class Trailing {
 
   const Track& track_;
   Real hitch_, wheelbase_;
-  std::vector<Angles> angles_;  ///< of each stretch
+  std::vector<Angles> angles_;  ///< hitch angles of each stretch
   Real end_angle_ = 0;
 };
 

@@ -8,14 +8,14 @@
 namespace vandplan::moving {
 namespace {
 
-constexpr double finest_step = 0.25;  // [s]
+constexpr double finest_step = 0.25;  // least width of a bin of arrival times [s]
 constexpr double most_steps = 800;
-constexpr double rounding = 1e-9;  // [s]
+constexpr double rounding = 1e-9;  // rounding error of sums of times [s]
 
 }  // namespace
 
-// A step holds all that would arrive within it without waiting any more. So whoever drives on stays
-// in his step, and whoever waits gets to the next one.
+// A bin holds the vehicles that would arrive within it if they waited no more. A vehicle that
+// drives on stays in its bin; a vehicle that waits gets into the next one.
 Arrivals::Arrivals(const Occupied& occupied, std::span<const Passage> passages)
     : occupied_(occupied),
       passages_(passages.begin(), passages.end()),
@@ -43,7 +43,7 @@ double Arrivals::begin_of(std::size_t bin) const noexcept {
   return first_ + static_cast<double>(bin) * step_;
 }
 
-// Whether somebody in the step finds row `i` free for as long as he needs.
+// Whether a vehicle of the bin may find row `i` free for as long as it needs to pass.
 bool Arrivals::may_pass(std::size_t i, std::size_t bin) const {
   const Passage& here = passages_[i];
   const Passage& next = passages_[i + 1];
@@ -54,7 +54,7 @@ bool Arrivals::may_pass(std::size_t i, std::size_t bin) const {
   return free <= end && free != forever;
 }
 
-// Whether somebody at station `i` may be there when the next step begins.
+// Whether a vehicle of the bin may stand at station `i` when the next bin begins.
 bool Arrivals::may_stay(std::size_t i, std::size_t bin) const {
   if (bin + 1 == bins_) return false;
   const double t = begin_of(bin + 1) - passages_[i].left;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How soon can a drive along a way arrive at its end, if others are in the way now and then?
+// How soon can a drive reach the end of a path among moving obstacles, at the earliest?
 //
 // Method: docs/algorithms/moving.md.
 
@@ -13,21 +13,21 @@
 
 namespace vandplan::moving {
 
-/// A place between two rows, and how fast the fastest drive is from there on.
+/// Station between two rows, with times of the fastest drive.
 struct Passage {
-  double left = 0.0;   ///< time from leaving the place to the end, at least [s]
-  double pause = 0.0;  ///< how long the vehicle stands there at least [s]
+  double left = 0.0;   ///< least time from leaving the station to the end of the path [s]
+  double pause = 0.0;  ///< least time that the vehicle stands at the station [s]
 };
 
-/// Lower bounds on arrivals of vehicles that may stop at once and are at full speed at once: such a
-/// vehicle is at the end no later than one that has to brake and to speed up.
+/// Lower bounds on the time of arrival at the end of a path. They hold for a vehicle that stops and
+/// reaches full speed at once, hence also for a real one.
 class Arrivals {
  public:
-  /// `passages` are the stations of the rows. `occupied` is kept by reference.
+  /// `passages` belong to the stations of `occupied`, which is kept by reference.
   Arrivals(const Occupied& occupied, std::span<const Passage> passages);
 
-  /// No drive that leaves station `i` at time `t` or later is at the end before that time, to stay
-  /// there [s]; infinity: none gets there.
+  /// Earliest time at which a drive can be at the end and stay there [s], if it leaves station `i`
+  /// at time `t` or later; infinity: never.
   [[nodiscard]] double earliest(std::size_t i, double t) const noexcept;
 
  private:
@@ -38,10 +38,10 @@ class Arrivals {
 
   const Occupied& occupied_;
   std::vector<Passage> passages_;
-  double first_;                  // time at which the fastest drive arrives [s]
-  double step_;                   // of arrivals without waiting from then on [s]
-  std::size_t bins_;              // steps; the last one has no end
-  std::vector<double> arrivals_;  // of each station and each step
+  double first_;                  // arrival of the fastest drive [s]
+  double step_;                   // width of a bin of arrival times [s]
+  std::size_t bins_;              // number of bins of arrival times; the last one has no end
+  std::vector<double> arrivals_;  // earliest arrivals, by station and bin [s]
 };
 
 }  // namespace vandplan::moving

@@ -14,7 +14,7 @@ namespace {
 
 using collision::Rectangle;
 
-/// A turn and a shift.
+/// Rotation and translation of a frame.
 struct Frame {
   double x, y, sin, cos;
 
@@ -23,7 +23,7 @@ struct Frame {
   }
 };
 
-/// The frame of `pose` as one sees it from `seen_from`.
+/// Frame of `pose`, in the frame of `seen_from`.
 Frame frame_of(const Pose& pose, const Pose& seen_from) noexcept {
   const auto [sin, cos] = base::sin_cos(seen_from.heading);
   const double dx = pose.x - seen_from.x;
@@ -32,13 +32,14 @@ Frame frame_of(const Pose& pose, const Pose& seen_from) noexcept {
   return {cos * dx + sin * dy, cos * dy - sin * dx, turn.sin, turn.cos};
 }
 
-/// Whether the side from a to b crosses the axis of x ahead of the origin.
+/// Whether the side from a to b crosses the positive x axis.
 bool passes_ahead(const Point& a, const Point& b) noexcept {
   if ((a.y > 0.0) == (b.y > 0.0)) return false;
   return (a.x * (b.y - a.y) - a.y * (b.x - a.x) > 0.0) == (b.y > a.y);
 }
 
-/// A body as the vehicle has it: `corners`, or the box if there are none.
+/// Square of the distance between a body and an outline [m^2]; 0 if they overlap. The body is
+/// `corners`, or `box` if `corners` is empty. `frame` places the outline in the body's frame.
 double squared_gap(const Rectangle& box, std::span<const Point> corners,
                    std::span<const Point> outline, const Frame& frame) noexcept {
   double least = std::numeric_limits<double>::infinity();
@@ -54,7 +55,7 @@ double squared_gap(const Rectangle& box, std::span<const Point> corners,
   return holds_axle ? 0.0 : least;
 }
 
-/// The distance of the middle of the box from the outline around it; 0 if it is not within it.
+/// Distance of the middle of the bounding box from the outline [m]; 0 if the middle is outside.
 double core_of(std::span<const Point> outline, const Bounds& box) noexcept {
   const Frame centred{-(box.x_min + box.x_max) / 2, -(box.y_min + box.y_max) / 2, 0.0, 1.0};
   constexpr Rectangle point{0.0, 0.0, 0.0};
@@ -122,7 +123,7 @@ Encounters::Mover Encounters::mover_of(const MovingObstacle& obstacle) {
               .core = core_of(obstacle.outline, box),
               .moved = {0.0},
               .before = obstacle.inflate};
-  double turns = 0.0;  // distance of the outline from what it turns about
+  double turns = 0.0;  // distance of the furthest corner from the centre of rotation [m]
   for (const Point& corner : obstacle.outline) {
     const Point& c = mover.centre;
     mover.reach = std::max(mover.reach, std::hypot(corner.x - c.x, corner.y - c.y));
@@ -152,13 +153,13 @@ double Encounters::gap(const Mover& mover, const Body& body, const Pose& pose, d
   const MovingObstacle& obstacle = *mover.obstacle;
   const double kept = margin_ + growth_at(obstacle, t);
   const Frame frame = frame_of(*vandplan::pose_at(obstacle, t), pose);
-  // 1. A circle around the outline is far enough.
+  // 1. A circle around the outline: is it far enough?
   const Point centre = frame.place(mover.centre);
   const double dx = std::max({-body.box.back - centre.x, centre.x - body.box.front, 0.0});
   const double dy = std::max(std::abs(centre.y) - body.box.half_width, 0.0);
   const double coarse = std::hypot(dx, dy) - mover.reach - kept;
   if (coarse >= enough) return coarse;
-  // 2. The outline itself.
+  // 2. The exact distance of the outline.
   return std::sqrt(squared_gap(body.box, body.corners, obstacle.outline, frame)) - kept;
 }
 
@@ -174,7 +175,7 @@ double Encounters::depth(std::size_t i, const RigState& state, double t) const n
   return mover.core + margin_ + growth_at(obstacle, t) - nearest;
 }
 
-/// Distance of a point from a body that sees it [m]; inside of the body it is negative.
+/// Distance of a point from a body, in the body's frame [m]; negative inside.
 double Encounters::distance_of(const Body& body, const Point& point) noexcept {
   if (!body.corners.empty()) return geometry::signed_distance(body.corners, point);
   const double x = std::max(-body.box.back - point.x, point.x - body.box.front);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-// Which drive meets something that moves, and when first?
+// Where and when does a drive first meet a moving obstacle?
 
 #include <algorithm>
 #include <string>
@@ -16,7 +16,7 @@ namespace {
 
 using moving::Encounters;
 
-/// The drive beside one obstacle.
+/// A drive and one moving obstacle.
 struct Approach {
   const Encounters& encounters;
   const SpeedProfile& speeds;
@@ -24,12 +24,13 @@ struct Approach {
 
   [[nodiscard]] double place(double t) const { return speed::driven_at(speeds, t); }
 
-  /// No point of either moves further than it grows [m].
+  /// Measure of both motions: no point of vehicle or obstacle moves further than it grows [m].
   [[nodiscard]] double moved(double t) const {
     return encounters.driven(place(t)) + encounters.moved(obstacle, t);
   }
 
-  /// The first meeting between two times; `moved` there is known.
+  /// Time of the first meeting from `begin` to `end` [s]; none if there is none. `moved_begin` and
+  /// `moved_end` are the values of `moved` there.
   [[nodiscard]] std::optional<double> first(double begin, double moved_begin, double end,
                                             double moved_end) const {
     const double middle = begin + (end - begin) / 2;

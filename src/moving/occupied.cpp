@@ -6,14 +6,14 @@
 #include <utility>
 
 namespace vandplan::moving {
-/// Places and times of the vehicle beside one obstacle: places from `begin` to `end` within rows
-/// `first` to `last` - 1.
+/// Box of the path-time diagram of one obstacle: places from `begin` to `end` [m], times `span`.
+/// The places lie in rows `first` to `last` - 1.
 struct Occupied::Box {
   std::size_t obstacle;
   std::size_t first, last;
   double begin, end;
   TimeSpan span;
-  bool is_for_ever = false;  // the obstacle stays as it is at the end of the span
+  bool is_for_ever = false;  // the obstacle has come to rest: the box has no end in time
 };
 
 Occupied::Occupied(const Encounters& encounters, std::vector<double> stations,
@@ -43,7 +43,7 @@ void Occupied::add(const Box& box) {
     return;
   }
   ++boxes_;
-  // 1. How much either of them moves from the middle of the box to its sides.
+  // 1. Largest motion of vehicle and obstacle from the middle of the box to its sides.
   const double place = begin + (end - begin) / 2;
   const double time = span.begin + (span.end - span.begin) / 2;
   const double there = encounters_.driven(place);
@@ -52,7 +52,7 @@ void Occupied::add(const Box& box) {
   const double then = encounters_.moved(obstacle, time);
   const double moved = std::max(then - encounters_.moved(obstacle, span.begin),
                                 encounters_.moved(obstacle, span.end) - then);
-  // 2. Far enough, or surely too near, whatever they do within the box.
+  // 2. The box is free, or surely occupied, or too small to halve.
   const RigState state = encounters_.state_at(place);
   const double most = driven + moved;
   if (encounters_.gap(obstacle, state, time, most * (1.0 + 1e-9) + 1e-9) > most) return;
@@ -61,11 +61,12 @@ void Occupied::add(const Box& box) {
     mark(first, last, {span.begin, is_for_ever ? forever : span.end});
     return;
   }
-  // 3. Else what is larger is halved.
+  // 3. Otherwise the box is halved, in time or place, where the motion is larger.
   Box low = box;
   Box high = box;
   const bool is_one_place = last - first <= 1 && driven <= limits_.finest;
-  const bool is_instant = !(span.begin < time && time < span.end);  // an obstacle may jump
+  // An instant cannot be halved, but `moved` may jump there.
+  const bool is_instant = !(span.begin < time && time < span.end);
   if (is_instant && is_one_place) {
     mark(first, last, {span.begin, is_for_ever ? forever : span.end});
     return;
@@ -93,13 +94,14 @@ void Occupied::mark(std::size_t first, std::size_t last, const TimeSpan& span) {
   }
 }
 
-/// Whether the vehicle can be nowhere in the rows of the box within its span.
+/// Whether the vehicle cannot be in the rows of the box during its span.
 bool Occupied::is_out_of_time(const Box& box) const noexcept {
   const double end = box.is_for_ever ? forever : box.span.end;
   return end < when_[box.first].begin || box.span.begin > when_[box.last - 1].end;
 }
 
-/// Within one row: whether another place of it was found occupied for as long a while ago.
+/// Whether the row of a box within one row is already occupied for the whole span. Only the latest
+/// spans are compared.
 bool Occupied::is_known(const Box& box) const noexcept {
   constexpr std::ptrdiff_t looks = 16;
   if (box.last - box.first > 1) return false;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which stretch of the way is free when?
+// Which stretches of a path are free of moving obstacles, and when?
 //
-// Method and proof: docs/algorithms/moving.md.
+// Method: docs/algorithms/moving.md; proof: docs/proofs/moving.md.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,44 +14,46 @@
 
 namespace vandplan::moving {
 
-inline constexpr double forever = std::numeric_limits<double>::infinity();  ///< [s]
+/// End of a span without end [s].
+inline constexpr double forever = std::numeric_limits<double>::infinity();
 
-/// From a time to another one, both included [s].
+/// Closed span of time [s].
 struct TimeSpan {
   double begin = 0.0;
   double end = 0.0;
 };
 
-/// How hard `Occupied` tries to prove places and times free.
+/// Limits of the work of `Occupied`.
 struct BoxLimits {
   std::int64_t most_boxes = 200'000;
-  double finest = 0.05;  ///< motion within half a box that is not cut any further [m]
+  /// Least motion from the middle to the sides of a box that is still halved [m].
+  double finest = 0.05;
 };
 
-/// The way cut into rows, and for each row when something that moves may be in the way of a vehicle
-/// that is anywhere in it. What is free here is proven free; what is occupied is nearer than the
-/// margin at some place of the row within that time, give or take four times `BoxLimits::finest`.
-/// Nothing is known of a row before the vehicle can be in it, and after it can.
+/// Time spans in which moving obstacles may hinder a vehicle on a path, for each row of the path. A
+/// row is the stretch between two neighbouring stations. Times that count as free are proven free.
+/// When a row is occupied, an obstacle is nearer than the margin at some place of it. The begin and
+/// end of an occupied span have an error that matches a motion of four times `BoxLimits::finest`.
+/// Nothing is known for times at which the vehicle cannot be in the row.
 class Occupied {
  public:
-  /// `stations` increase from 0 to the length of the way; row i lies between stations i and i + 1.
-  /// The vehicle can be in it at the times `when[i]`, which neither begin nor end earlier than
-  /// those of the row before. What is not proven free within the limits counts as occupied.
+  /// `stations` [m] increase from 0 to the length of the path; row `i` begins at station `i`. The
+  /// vehicle can be in row `i` within the span `when[i]`. Begins and ends of `when` never decrease.
+  /// Times that are not proven free within `limits` count as occupied.
   Occupied(const Encounters& encounters, std::vector<double> stations, std::vector<TimeSpan> when,
            const BoxLimits& limits);
 
-  /// Whether row `i` is free all the time.
+  /// Whether row `i` is free from `begin` to `end` [s].
   [[nodiscard]] bool is_free(std::size_t i, double begin, double end) const noexcept;
-  /// Whether row `i` is free for ever from then on.
+  /// Whether row `i` is free from `begin` on for ever [s].
   [[nodiscard]] bool is_free_from(std::size_t i, double begin) const noexcept {
     return is_free(i, begin, forever);
   }
-  /// The first time from `begin` on from which row `i` is free for `length` seconds; `forever`:
-  /// none.
+  /// First time >= `begin` from which row `i` is free for `length` seconds [s]; `forever`: none.
   [[nodiscard]] double next_free(std::size_t i, double begin, double length) const noexcept;
-  /// How many boxes of places and times were looked at.
+  /// Number of examined boxes; a box is a stretch of the path times a span of time.
   [[nodiscard]] std::int64_t boxes() const noexcept { return boxes_; }
-  /// When nothing begins or ceases to be occupied any more [s].
+  /// Time after which every row stays free or occupied for ever [s].
   [[nodiscard]] double last_change() const noexcept;
 
  private:

@@ -17,36 +17,38 @@
 namespace vandplan::moving {
 namespace {
 
-constexpr double shortest_row = 0.5;  // unless the fastest drive has knots nearer to each other [m]
-constexpr double most_rows = 400;     // of equal length
-constexpr double time_step = 0.25;    // of waiting, and between states that count as one [s]
-constexpr double speed_step = 0.1;    // between speeds that count as one [m/s]
-constexpr double change_price = 0.05;    // of changing the speed [s per m/s]
-constexpr double least_distance = 1e-6;  // between stations [m]
-constexpr double fine = 0.05;            // boxes of places and times [m]
+constexpr double shortest_row = 0.5;  // largest length of a row on paths of up to 200 m [m]
+// Number of rows on longer paths, besides those that knots of the fastest drive add.
+constexpr double most_rows = 400;
+// Duration of one wait, and width of a bin of times in a state's key [s].
+constexpr double time_step = 0.25;
+constexpr double speed_step = 0.1;       // width of a bin of speeds in a state's key [m/s]
+constexpr double change_price = 0.05;    // cost of changing the speed [s per m/s]
+constexpr double least_distance = 1e-6;  // least distance between two stations [m]
+constexpr double fine = 0.05;            // `BoxLimits::finest` of a thorough search [m]
 constexpr double coarse = 0.3;
 constexpr double greed_of_haste = 1.5;
 constexpr double endless = std::numeric_limits<double>::infinity();
 
-/// A place of the way, and the fastest drive there.
+/// Station of the path, with data of the fastest drive there.
 struct Station {
-  double s = 0.0;              // [m]
-  double fastest = 0.0;        // largest squared speed [m^2/s^2]
-  double left = 0.0;           // time from there to the end, at least [s]
-  double pause = 0.0;          // how long it stands there at least [s]
-  const Stop* stop = nullptr;  // of the fastest drive, or none
+  double s = 0.0;              // distance from the start of the path [m]
+  double fastest = 0.0;        // square of the largest speed [m^2/s^2]
+  double left = 0.0;           // least time from the station to the end of the path [s]
+  double pause = 0.0;          // least time that the vehicle stands at the station [s]
+  const Stop* stop = nullptr;  // stop of the fastest drive at the station, or null
 };
 
-/// A state that the search has come to.
+/// State of the search.
 struct State {
   std::size_t station = 0;
-  double square = 0.0;  // of the speed [m^2/s^2]
-  double t = 0.0;       // [s]
-  double cost = 0.0;    // time and what changing the speed costs so far [s]
+  double square = 0.0;  // square of the speed [m^2/s^2]
+  double t = 0.0;       // time since the start of the drive [s]
+  double cost = 0.0;    // cost-to-come: time plus the cost of changes of speed [s]
   std::int32_t parent = -1;
 };
 
-/// A place in the queue: cheap first, then far along the way, then old.
+/// Entry of the open list. The order is: cheap first, then far along the path, then old.
 struct Candidate {
   double bound;
   std::size_t station;
@@ -59,20 +61,20 @@ struct Candidate {
   }
 };
 
-/// The squared speed of a drive without jerk at a place, on the part after knot `i`.
+/// Squared speed at place `s` of a drive without jerk limit [m^2/s^2]; `s` follows knot `i`.
 double square_at(const SpeedProfile& fastest, std::size_t i, double s) {
   const SpeedKnot& knot = fastest.knots[i];
   return std::max(knot.v * knot.v + 2 * knot.a * (s - knot.s), 0.0);
 }
 
-/// The time at which a drive without jerk is at a place on the part after knot `i`.
+/// Time at which a drive without jerk limit is at place `s` [s]; `s` follows knot `i`.
 double time_at(const SpeedProfile& fastest, std::size_t i, double s) {
   const SpeedKnot& knot = fastest.knots[i];
   const double v = knot.v + std::sqrt(square_at(fastest, i, s));
   return v > 0.0 ? knot.t + 2 * (s - knot.s) / v : knot.t;
 }
 
-/// The stations of a drive: its knots, and places between them.
+/// Stations of a drive: its knots and evenly spaced places between them.
 std::vector<Station> stations_of(const SpeedProfile& fastest) {
   const std::vector<SpeedKnot>& knots = fastest.knots;
   const double row = std::max(shortest_row, knots.back().s / most_rows);
@@ -112,17 +114,17 @@ std::vector<Passage> passages_of(const std::vector<Station>& stations) {
   return passages;
 }
 
-/// When the vehicle can be between two stations, in drives that are no longer than the longest.
+/// Spans in which the vehicle can be in each row, on drives of at most `longest` seconds.
 std::vector<TimeSpan> times_of(const std::vector<Station>& stations, double duration,
                                double longest) {
-  constexpr double tolerance = 1e-6;  // [s]
+  constexpr double tolerance = 1e-6;  // enlargement of the spans for rounding [s]
   std::vector<TimeSpan> times;
   times.reserve(stations.size());
   for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
     times.push_back({duration - stations[i].left - stations[i].pause - tolerance,
                      longest - stations[i + 1].left + tolerance});
   }
-  times.back().end = forever;  // it stays there
+  times.back().end = forever;  // the vehicle stays in the last row
   return times;
 }
 
@@ -145,7 +147,7 @@ class Search {
         longest_(traffic.longest),
         greed_(traffic.is_hasty ? greed_of_haste : 1.0) {}
 
-  /// The index of the last state of the cheapest drive; none if there is none among so many states.
+  /// Index of the last state of the cheapest drive; none if no drive is found within the limits.
   [[nodiscard]] std::optional<std::int32_t> run(const Traffic& traffic) {
     constexpr std::int64_t states_between_questions = 64;
     const double begin = stations_.front().pause;
@@ -165,13 +167,13 @@ class Search {
   }
 
   [[nodiscard]] std::int64_t looked() const noexcept { return looked_ + occupied_.boxes(); }
-  /// Whether the search ended before it had looked at all that it can come to.
+  /// Whether a limit ended the search before it had expanded every state it can reach.
   [[nodiscard]] bool is_cut_off(const Traffic& traffic) const noexcept {
     return !queue_.empty() || occupied_.boxes() >= traffic.most_states;
   }
   [[nodiscard]] const std::vector<Station>& stations() const noexcept { return stations_; }
 
-  /// The states of a drive from its start on.
+  /// States of the drive that ends in state `last`, from its start on.
   [[nodiscard]] std::vector<State> chain(std::int32_t last) const {
     std::vector<State> states;
     for (std::int32_t i = last; i >= 0; i = states_[static_cast<std::size_t>(i)].parent) {
@@ -189,7 +191,8 @@ class Search {
     const double way = next.s - here.s;
     const double most = std::min(from.square + rise_ * way, next.fastest);
     const double hardest = std::max(from.square - fall_ * way, 0.0);
-    // Who comes too fast brakes a hair harder than he may (`speed::profile_from`).
+    // `speed::profile_from` lets a vehicle that comes too fast brake slightly harder than its
+    // limit.
     const double least = std::min(hardest, most);
     if (hardest > most * (1 + 1e-2) + 1e-9) return;
     const double even = std::clamp(from.square, least, most);
@@ -224,7 +227,7 @@ class Search {
     push(to, to.t - from.t + change_price * change);
   }
 
-  /// A place between two rows is free where either of them is.
+  /// A vehicle may stand at a station if one of the two rows beside it is free.
   [[nodiscard]] bool is_standing_free(std::size_t station, double begin, double end) const {
     const bool before = station > 0 && occupied_.is_free(station - 1, begin, end);
     return before || occupied_.is_free(station, begin, end);
@@ -240,7 +243,8 @@ class Search {
     states_.push_back(state);
   }
 
-  /// States that count as one have one key. Those that stand are told from the slowest ones.
+  /// Key of a state; states with the same key are duplicates. Standing differs from the slowest
+  /// speeds.
   [[nodiscard]] static std::uint64_t key_of(const State& state) {
     const double speed = state.square > 0.0 ? 1.0 + std::sqrt(state.square) / speed_step : 0.0;
     const double time = state.t / time_step;
@@ -251,17 +255,17 @@ class Search {
   std::vector<Station> stations_;
   Occupied occupied_;
   Arrivals arrivals_;
-  double rise_, fall_;  // of the squared speed per metre [m/s^2]
-  double latest_;       // nobody waits any longer [s]
-  double longest_;      // that a drive may be [s]
-  double greed_;        // weight of the time that is left
+  double rise_, fall_;  // largest rise and fall of the squared speed per metre [m/s^2]
+  double latest_;       // last time at which the search begins to wait [s]
+  double longest_;      // longest duration of a drive [s]
+  double greed_;        // weight of the estimated time to the end
   std::vector<State> states_;
   std::priority_queue<Candidate> queue_;
   std::unordered_set<std::uint64_t> seen_;
   std::int64_t looked_ = 0;
 };
 
-/// Puts the drive together, with the places where it stands.
+/// Builds the speed profile of a chain of states, with its stops.
 class Writer {
  public:
   Writer(const std::vector<Station>& stations, const Path& path)
@@ -324,10 +328,10 @@ class Writer {
   double t_ = 0.0;
 };
 
-/// The fastest drive, begun as much later as it must to meet nothing. One try counts as
+/// The fastest drive, delayed until it meets no moving obstacle. One trial counts as
 /// `states_of_try` states.
 Yielding begun_later(const Course& course, const SpeedProfile& fastest, const Traffic& traffic) {
-  constexpr double longest_wait = 500;  // [s]
+  constexpr double longest_wait = 500;  // largest delay of the start [s]
   constexpr std::int64_t states_of_try = 100;
   const double latest = std::min({end_of_motion(traffic.moving) + time_step, longest_wait,
                                   traffic.longest - fastest.duration});

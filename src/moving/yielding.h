@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// When may the vehicle be where on a path, if others move?
+// With which speeds does a vehicle drive a path among moving obstacles?
 //
-// Method, and what it does not find: docs/algorithms/moving.md.
+// Method and limits of the search: docs/algorithms/moving.md.
 
 #include <cstdint>
 #include <functional>
@@ -15,38 +15,40 @@
 
 namespace vandplan::moving {
 
-/// Who yields to whom.
+/// Moving obstacles, the state at the start of a drive, and limits of the search for its speeds.
 struct Traffic {
-  std::span<const MovingObstacle> moving;  ///< in the frame of the path
-  double margin = 0.0;                     ///< that the vehicle keeps from them [m]
-  double start_curvature = 0.0;            ///< that the wheels are turned to before the drive [1/m]
-  double start_hitch_angle = 0.0;          ///< before the drive [rad]; 0 without a trailer
-  /// With which the vehicle comes to the start, in the gear of the first segment; above 0 it has no
-  /// limit of jerk [m/s].
+  std::span<const MovingObstacle> moving;  ///< moving obstacles, in the frame of the path
+  double margin = 0.0;  ///< distance that the vehicle keeps from moving obstacles [m]
+  /// Curvature to which the wheels are turned before the drive [1/m].
+  double start_curvature = 0.0;
+  double start_hitch_angle = 0.0;  ///< hitch angle before the drive [rad]; 0 without a trailer
+  /// Speed at the start, in the gear of the first segment [m/s]. Above 0, `max_jerk` is ignored.
   double start_speed = 0.0;
-  /// Only drives that are not longer are of interest [s].
+  /// Longest duration of a drive to search for [s].
   double longest = std::numeric_limits<double>::infinity();
-  /// That the search looks at before it gives up, and boxes that are proven free for it.
+  /// Largest number of states that the search expands, and of boxes that it examines.
   std::int64_t most_states = 200'000;
-  /// The first drive that comes along will do: the search is greedy, and looks at places and times
-  /// coarsely. It finds less, in a fraction of the time.
+  /// Whether the search is greedy, on a coarse grid of places and times. It finds fewer drives in a
+  /// fraction of the time.
   bool is_hasty = false;
-  std::function<bool()> is_interrupted = {};  ///< asked now and then; true: it gives up
+  std::function<bool()> is_interrupted = {};  ///< polled by the search; true ends it
 };
 
-/// What came of it.
+/// Result of a search for speeds along a path.
 struct Yielding {
-  std::optional<SpeedProfile> speeds = {};  ///< none: none was found, which proves nothing
-  /// States that the search looked at, and boxes that were proven free or occupied for it.
+  /// Speeds of the drive; none if the search failed, which proves nothing.
+  std::optional<SpeedProfile> speeds = {};
+  /// Number of expanded states plus examined boxes.
   std::int64_t states = 0;
-  /// Whether `most_states` or an interruption ended the search: with more states it may find more.
+  /// Whether `most_states` or an interruption ended the search, so a larger limit may find a drive.
   bool is_cut_off = false;
-  /// Who is met first on the fastest drive; none: nobody, or there is no drive.
+  /// First meeting on the fastest drive; none: it meets nobody, or there is no drive.
   std::optional<Meeting> met = {};
 };
 
-/// A drive along the path that keeps the limits of the vehicle and meets nothing, then or later: as
-/// fast as the search finds one, the fastest one of all where nothing is in its way.
+/// Searches speeds along a path that keep the limits of the vehicle and meet no moving obstacle,
+/// during the drive and after it. If the fastest drive meets nobody, it is the result. Otherwise
+/// the search is incomplete: it may miss faster drives, or all of them.
 [[nodiscard]] Yielding yielding_speeds(const Path& path, const Vehicle& vehicle,
                                        const Traffic& traffic);
 

@@ -19,7 +19,8 @@ namespace {
 
 namespace ob = ::ompl::base;
 
-/// Turning round on the spot takes a length that is proportional to the turning radius.
+/// Turning radius, measured by the length of turning round on the spot, which is proportional to
+/// it.
 double measured_radius(const ob::StateSpace& space, double length_at_radius_one) {
   ob::State* const from = space.allocState();
   ob::State* const to = space.allocState();

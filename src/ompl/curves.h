@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which curves does a space of OMPL join its states by?
+// Which curves join the states of an OMPL space?
 
 #include <ompl/base/StateSpace.h>
 
@@ -9,13 +9,13 @@
 
 namespace vandplan::ompl {
 
-/// Shortest paths as a Reeds-Shepp or Dubins space has them, ours or OMPL's.
+/// Shortest paths of a Reeds-Shepp or Dubins space, of vandplan or OMPL.
 class Curves {
  public:
-  /// Throws ompl::Exception for another space.
+  /// Throws ompl::Exception for other spaces.
   explicit Curves(const ::ompl::base::StateSpace& space);
 
-  /// Of turning [m]; of OMPL's spaces, which do not tell, it is measured: right but for rounding.
+  /// Turning radius [m]. OMPL's spaces do not state it, so it is measured, up to rounding.
   [[nodiscard]] double radius() const noexcept { return radius_; }
   [[nodiscard]] bool is_reeds_shepp() const noexcept { return kind_ == Kind::reeds_shepp; }
 
@@ -31,7 +31,8 @@ class Curves {
 /// Whether the Dubins path from `to` to `from` is shorter than that from `from` to `to`.
 [[nodiscard]] bool is_shorter_back(const Pose& from, const Pose& to, double radius) noexcept;
 
-/// The shorter one of the paths there and back, which is driven in reverse; there, if they tie.
+/// Shorter one of the path from `from` to `to` and the path back, driven in reverse. Ties go to the
+/// former.
 [[nodiscard]] Piece symmetric_dubins(const Pose& from, const Pose& to, double radius) noexcept;
 
 }  // namespace vandplan::ompl

@@ -16,9 +16,9 @@ const ReedsSheppStateSpace* our_space(const ::ompl::base::SpaceInformation& si) 
   return dynamic_cast<const ReedsSheppStateSpace*>(si.getStateSpace().get());
 }
 
-// BIT* declares a function that takes another structure of neighbours, and defines it where nobody
-// can reach it. Its samples are reached by what the language grants to explicit instantiations
-// alone: they may name private members.
+// Access to the samples of BIT*. Its function that sets another nearest-neighbour structure cannot
+// be called, as its definition is in a source file of OMPL. Explicit instantiations may name
+// private members, so this one does.
 template <auto Graph, auto Samples>
 struct Reached {
   friend auto& samples_of(og::BITstar& planner) { return (*(planner.*Graph)).*Samples; }

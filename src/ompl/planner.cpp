@@ -32,9 +32,9 @@ namespace {
 
 namespace ob = ::ompl::base;
 
-constexpr double endless = 1e9;  // [s]
+constexpr double endless = 1e9;  // Time limit that stands for none [s].
 
-/// Asks a condition now and about every millisecond from then on, for as long as it lives.
+/// Tests a condition at once and then about every millisecond, as long as the object lives.
 class Watch {
  public:
   explicit Watch(const std::function<bool()>& has_ended)
@@ -65,7 +65,7 @@ const StateValidityChecker& our_checker(const ob::SpaceInformation& si) {
   return *checker;
 }
 
-/// The vehicle that the space knows: it may turn less sharply than the real one.
+/// Vehicle with the turning radius of the space, which may be larger than the vehicle's own.
 Vehicle vehicle_in(const ob::StateSpace& space, const Vehicle& vehicle) {
   const Curves curves(space);
   if (!curves.is_reeds_shepp()) {
@@ -80,7 +80,7 @@ Vehicle vehicle_in(const ob::StateSpace& space, const Vehicle& vehicle) {
   return turning;
 }
 
-/// The value of an option as JSON.
+/// Value of an option as JSON.
 std::string text_of(const OptionInfo& info, const PlanOptions& options) {
   const OptionValue* const value = options.planner.find(info.name);
   return json_of(value != nullptr ? *value : info.standard);
@@ -91,7 +91,8 @@ std::string text_of(const OptionInfo& info, const PlanOptions& options) {
 std::vector<Pose> way_points(const Path& path) {
   constexpr double quarter = std::numbers::pi / 2;
   std::vector<Pose> poses{path.start};
-  Pose beside{0.0, 0.0, path.start.heading};  // the start: far from the origin nothing is lost
+  // Relative to the start, so that nothing is rounded far from the origin.
+  Pose beside{0.0, 0.0, path.start.heading};
   for (const Segment& segment : path.segments) {
     const double parts =
         std::max(1.0, std::ceil(std::abs(segment.curvature * segment.length) / quarter));

@@ -19,7 +19,7 @@ using Se2 = ob::SE2StateSpace::StateType;
 using ReedsShepp = ob::ReedsSheppStateSpace;
 using Dubins = ob::DubinsStateSpace;
 
-/// A state of SE(2) that is allocated once, and not part by part as OMPL's.
+/// State of SE(2) in one allocation. OMPL's state allocates each part.
 struct WholeState : Se2 {
   WholeState() {
     position.values = coordinates.data();
@@ -31,10 +31,10 @@ struct WholeState : Se2 {
   std::array<ob::State*, 2> parts{&position, &heading};
 };
 
-/// The space that measured the distance of a state from itself, where `space_behind` asks for it.
+/// Where `distance` of a state from itself stores the space, while `space_behind` asks for it.
 thread_local const ReedsSheppStateSpace** asked_space = nullptr;
 
-/// Where one is after `driven` metres of the segments.
+/// Pose after `driven` metres of the segments.
 Pose after(Pose pose, std::span<const Segment> segments, double driven) noexcept {
   for (const Segment& segment : segments) {
     const double part = std::min(driven, std::abs(segment.length));
@@ -45,7 +45,7 @@ Pose after(Pose pose, std::span<const Segment> segments, double driven) noexcept
   return pose;
 }
 
-/// 1 left, 0 straight, -1 right; whatever stands for nothing has no length.
+/// Direction of a segment: 1 left, 0 straight, -1 right. Segments of type "none" have length 0.
 int turn_of(ReedsShepp::ReedsSheppPathSegmentType type) {
   return type == ReedsShepp::RS_LEFT ? 1 : type == ReedsShepp::RS_RIGHT ? -1 : 0;
 }
@@ -56,8 +56,8 @@ int turn_of(const Segment& segment) {
   return segment.curvature > 0.0 ? 1 : segment.curvature < 0.0 ? -1 : 0;
 }
 
-/// OMPL names a path by its turns and leaves out none: the lengths of a word of OMPL's, in turning
-/// radii, if the piece lacks nothing but turns of no length. Else false.
+/// Lengths of the segments of OMPL's word in turning radii, if the piece is that word without
+/// segments of length 0. Otherwise false.
 template <typename Types, std::size_t Count>
 bool fill(const Types& word, const Piece& piece, double radius,
           std::array<double, Count>& lengths) {
@@ -72,7 +72,7 @@ bool fill(const Types& word, const Piece& piece, double radius,
   return taken == piece.count;
 }
 
-/// The segments of a path of OMPL's.
+/// Segments of an OMPL path.
 template <typename Path, std::size_t Count>
 std::array<Segment, Count> segments_of(const Path& path, double radius) {
   std::array<Segment, Count> segments;
@@ -82,7 +82,7 @@ std::array<Segment, Count> segments_of(const Path& path, double radius) {
   return segments;
 }
 
-/// Whether the state is that of an end, which is then copied.
+/// Whether `t` is at an end; then copies the state of that end.
 bool is_end(const ob::StateSpace& space, const ob::State* from, const ob::State* to, double t,
             ob::State* state) {
   if (t > 0.0 && t < 1.0) return false;

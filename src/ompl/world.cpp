@@ -16,16 +16,16 @@ namespace {
 
 namespace ob = ::ompl::base;
 
-/// The pose of a state in the frame of the world. Moved by a difference, which is quick, and not by
-/// its decimal text: the rounding is the same size as that of the state's own numbers.
+/// Pose of a state in the frame of the world. Subtracting is faster than moving the decimal text,
+/// and the rounding is as small as that of the state's numbers.
 LocalPose local_pose(const ob::State* state, const Point& origin) noexcept {
   const Pose pose = pose_of(state);
   return Local(Pose{pose.x - origin.x, pose.y - origin.y, pose.heading});
 }
 
-/// How much of the piece is known to be free [m].
+/// Length of the piece that is known to be free [m].
 double free_length(const CollisionChecker& checker, LocalPose pose, const Piece& piece) noexcept {
-  constexpr double fine = 0.5e-6;  // [m]
+  constexpr double fine = 0.5e-6;  // Error of the result [m].
   double driven = 0.0;
   for (const Segment& segment : piece.view()) {
     const double length = std::abs(segment.length);
@@ -62,7 +62,7 @@ bool StateValidityChecker::isValid(const ob::State* state) const {
 }
 
 double StateValidityChecker::clearance(const ob::State* state) const {
-  constexpr double furthest = 1e7;  // [m]; worlds are smaller
+  constexpr double furthest = 1e7;  // [m]; larger than any world.
   return checker_->clearance(local_pose(state, problem_.world()->origin()), furthest);
 }
 

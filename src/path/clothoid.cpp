@@ -14,7 +14,7 @@
 namespace vandplan::path {
 namespace {
 
-/// An integral of the unit vector along the heading.
+/// Integral of the unit vector along the heading.
 struct Way {
   double x = 0.0;
   double y = 0.0;
@@ -26,7 +26,7 @@ struct Way {
   }
 };
 
-/// Driven forward from heading 0; a clothoid in reverse is mirrored into this.
+/// A clothoid driven forward from heading 0. A clothoid in reverse is mirrored into such a one.
 struct Clothoid {
   double curvature;
   double rate;
@@ -35,13 +35,13 @@ struct Clothoid {
   [[nodiscard]] double turn(double t) const { return t * (curvature + rate * t / 2); }
 };
 
-constexpr double most_panels = 256;   // more only where doubles tell nothing any more
-constexpr double enough_panels = 32;  // up to so many, all of it goes through panels
-constexpr double panel_extent = 3;    // of a panel; the error of each is below 7e-16 of its length
-constexpr int terms = 16;             // of the series
-constexpr double steepness = 128;     // curvature^2 / rate where the series begins
+constexpr double most_panels = 256;   // more are wanted only where doubles resolve no heading
+constexpr double enough_panels = 32;  // up to this number, the whole clothoid goes through panels
+constexpr double panel_extent = 3;  // see `panels_of`; errors stay below 7e-16 of a panel's length
+constexpr int terms = 16;           // terms of the series
+constexpr double steepness = 128;   // curvature^2 / rate where the series begins
 
-/// How many panels a stretch takes: each is so short that its length times
+/// Number of panels for a stretch. Each panel is so short that its length times
 /// (|curvature| + 4 sqrt(|rate|)) is at most `panel_extent`.
 double panels_of(const Clothoid& clothoid, double begin, double end) {
   const double steepest =
@@ -51,8 +51,8 @@ double panels_of(const Clothoid& clothoid, double begin, double end) {
   return count >= 1 ? count : 1;
 }
 
-/// Gauss-Legendre with eight nodes, over one panel after the other: the directions of some panels
-/// at once.
+/// Gauss-Legendre integration with eight nodes over each panel. Sines and cosines of some panels
+/// are computed at once.
 class Panels {
  public:
   explicit Panels(const Clothoid& clothoid) : clothoid_(clothoid) {}
@@ -109,7 +109,7 @@ class Panels {
   }
 
   const Clothoid& clothoid_;
-  std::size_t count_ = 0;  // panels that wait
+  std::size_t count_ = 0;  // panels that wait for `flush`
   std::array<double, most_at_once> halves_;
   Numbers turns_;
   Way sum_;
@@ -126,7 +126,7 @@ Way over_panels(const Clothoid& clothoid, double begin, double end) {
   return panels.sum();
 }
 
-/// An antiderivative where curvature^2 is large beside the rate: by parts, again and again.
+/// Antiderivative by repeated integration by parts, where curvature^2 is large beside the rate.
 Way antiderivative(const Clothoid& clothoid, double t) {
   const double curvature = clothoid.curvature_at(t);
   const double y = clothoid.rate / curvature / curvature;

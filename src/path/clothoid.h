@@ -16,8 +16,8 @@ struct Displacement {
   double turn = 0.0;  ///< change of heading, whole turns included [rad]
 };
 
-/// What driving a segment of any curvature rate does; in bounded time whatever the numbers, NaN if
-/// they overflow.
+/// Displacement along a segment of any curvature rate. The time is bounded whatever the numbers;
+/// NaN if they overflow.
 [[nodiscard]] Displacement along_clothoid(const Segment& segment) noexcept;
 
 }  // namespace vandplan::path

@@ -7,8 +7,8 @@
 
 namespace vandplan::path {
 
-/// Throws InputError that names the first segment with a number that is not finite, or that ends
-/// with a curvature that is not.
+/// Throws an InputError that names the first segment with a number, or with a curvature at its end,
+/// that is not finite.
 void check_finite(const Path& path);
 
 }  // namespace vandplan::path

@@ -23,15 +23,16 @@ Pose advance_clothoid(const Pose& pose, const Segment& segment) noexcept {
           wrap_angle(pose.heading + wrap_angle(turn))};
 }
 
-/// Whole metres beside the start of a path: from there poses are added up, because far from the
-/// origin doubles are coarse.
+/// The start of a path rounded to whole metres. Poses are added up relative to it, because doubles
+/// are coarse far from the origin.
 Point beside(const Pose& start) { return {std::round(start.x), std::round(start.y)}; }
 
 Pose moved(const Pose& pose, double dx, double dy) {
   return {pose.x + dx, pose.y + dy, pose.heading};
 }
 
-/// Whether `next` goes on as `segment` does, but for rounding where the curvature changes.
+/// Whether `next` continues `segment`: equal gears and rates, and the curvature goes on. If the
+/// curvature changes, it may differ by rounding.
 bool goes_on(const Segment& segment, const Segment& next) {
   if ((segment.length > 0.0) != (next.length > 0.0)) return false;
   if (segment.curvature_rate != next.curvature_rate) return false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Is a moving obstacle where the vehicle begins, or does one stay where the vehicle has to stay?
+// Does a moving obstacle block the start or the goal for good?
 
 #include <string>
 
@@ -9,8 +9,8 @@
 
 namespace vandplan::in_time {
 
-/// Which moving obstacle makes every drive impossible because it blocks the start or the goal;
-/// empty: none does.
+/// Reason why no drive is possible: the moving obstacle that is at the start, or stays at the goal,
+/// nearer than `margin` [m]. Empty if there is none.
 [[nodiscard]] std::string proof_of_none(const Task& task, double margin);
 
 }  // namespace vandplan::in_time

@@ -17,13 +17,14 @@
 
 namespace vandplan::in_time {
 
-/// A search for paths among what stands and some ghosts of what moves, or along a detour.
+/// A search for paths among standing obstacles and some ghosts of moving ones, or along a detour.
 struct Source {
   std::vector<Ghost> ghosts = {};
-  Task task = {};                                     ///< without anything that moves
-  std::optional<Detour> detour = {};                  ///< if it is given, all paths lead along it
-  std::unique_ptr<planning::PathSearch> search = {};  ///< made when it is needed first
-  std::vector<Segment> path = {};                     ///< the last path that was given times
+  Task task = {};                     ///< task without moving obstacles
+  std::optional<Detour> detour = {};  ///< detour that all paths lead along, if there is one
+  /// Search for paths; made when it is first needed.
+  std::unique_ptr<planning::PathSearch> search = {};
+  std::vector<Segment> path = {};  ///< last path that was given times
   /// Cost of the fastest drive along `path` where nothing moves [m], or [s] if time is the cost.
   double fastest_cost = std::numeric_limits<double>::infinity();
   bool is_hasty = false;      ///< whether only a hasty search has given `path` its times

@@ -10,8 +10,8 @@
 namespace vandplan::planning {
 namespace {
 
-// Of what a stop takes from a vehicle that drives at its full speed: most strokes are too short for
-// that speed.
+/// Share of a stop from full speed that a gear change costs: most strokes are too short for full
+/// speed.
 constexpr double share_of_stop = 0.25;
 
 double braking_of(const DrivingLimits& limits) {
@@ -34,7 +34,7 @@ double least_drive_time(const Vehicle& vehicle, const search::CostRule& prices, 
   const double top = !prices.allows(-1)  ? limits.max_speed.forward
                      : !prices.allows(1) ? limits.max_speed.reverse
                                          : top_speed(limits);
-  // Gaining a speed v and losing it takes the time v slowness, and the way v^2 slowness / 2.
+  // Gaining and losing the speed v takes the time v * slowness, and the way v^2 * slowness / 2.
   const double slowness = 1 / limits.max_acceleration + 1 / braking_of(limits);
   const double v = std::min(top, std::sqrt(2 * length / slowness));
   if (v == 0.0) return 0.0;
@@ -46,7 +46,7 @@ search::CostRule prices_like_time(const Task& task) {
   const double top = top_speed(limits);
   const double slowness = 1 / limits.max_acceleration + 1 / braking_of(limits);
   const double stop = share_of_stop * top * top * slowness / 2;
-  // Wheels turn a curvature of one by so many radians, near straight on.
+  // Time for a change of curvature by 1/m, if the wheels are about straight [s m].
   const double turn = task.vehicle.wheelbase / limits.max_steering_rate;
   return {.forward_weight = top / limits.max_speed.forward,
           .reverse_weight = top / limits.max_speed.reverse,
@@ -59,7 +59,7 @@ search::CostRule with_time(const search::CostRule& prices, const Task& task, dou
   const double share = time_price / top_speed(task.vehicle.limits);
   const double forward = prices.forward_weight + share * time.forward_weight;
   const double reverse = prices.reverse_weight + share * time.reverse_weight;
-  // Searches are led by lengths: a metre in the cheaper gear stays a metre.
+  // Searches are guided by lengths, so a metre in the cheaper gear must cost one metre.
   const double metre = std::min(forward, reverse);
   search::CostRule rule = prices;
   rule.forward_weight = forward / metre;

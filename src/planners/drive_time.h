@@ -11,21 +11,21 @@
 
 namespace vandplan::planning {
 
-/// How long the fastest drive from the start along the segments takes [s].
+/// Duration of the fastest drive from the start along the segments [s].
 [[nodiscard]] double drive_time(const Task& task, std::span<const Segment> segments);
 
-/// What no drive of so many metres or more takes less than [s]: at the highest speed of the gears
-/// that the prices allow, but for gaining and losing it at the ends.
+/// Lower bound of the duration of drives of at least `length` metres [s]: at the highest speed of
+/// the gears that the prices allow, with one start and one stop.
 [[nodiscard]] double least_drive_time(const Vehicle& vehicle, const search::CostRule& prices,
                                       double length);
 
-/// Prices under which a path costs about the metres that the vehicle could have driven at its
-/// higher speed in the time that the path takes. Stops and turning wheels take time; how much is
-/// known only when the whole path is.
+/// Prices by which a path costs about the metres that the vehicle could drive at its higher speed
+/// in the duration of the path. Prices of stops and of turning wheels are estimates, because their
+/// durations depend on the whole path.
 [[nodiscard]] search::CostRule prices_like_time(const Task& task);
 
-/// Prices under which a path costs about its share of what its drive costs by `prices`, with
-/// `time_price` for each second [m]. What being near things adds stays as it is.
+/// Prices by which the cost of a path is about proportional to that of its drive, where each second
+/// costs `time_price` [m] beside `prices`. The price of clearance stays as it is.
 [[nodiscard]] search::CostRule with_time(const search::CostRule& prices, const Task& task,
                                          double time_price);
 

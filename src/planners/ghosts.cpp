@@ -14,10 +14,10 @@
 namespace vandplan::in_time {
 namespace {
 
-constexpr double time_step = 0.5;     // between ghosts of one kind [s]
-constexpr double passing_time = 3.0;  // before and after the meeting [s]
-constexpr double places_passing = 6;  // outlines of one ghost, less one
-constexpr double places_of_way = 24;
+constexpr double time_step = 0.5;     // spacing of the times of ghosts [s]
+constexpr double passing_time = 3.0;  // span of a passing ghost before and after the meeting [s]
+constexpr double places_passing = 6;  // outlines of a passing ghost, less one
+constexpr double places_of_way = 24;  // outlines of a whole way, less one
 
 /// The outline of an obstacle at a time, in the frame of the task; empty if it has left.
 Polygon outline_at(const MovingObstacle& obstacle, double t) {
@@ -87,7 +87,7 @@ std::optional<Task> task_around(const Task& task, std::span<const Ghost> ghosts,
       return around;
     }
   } catch (const InputError&) {
-    // A turned outline may touch itself by a rounding error: it is no obstacle then.
+    // By a rounding error a turned outline may touch itself. It is no obstacle then.
   }
   return std::nullopt;
 }

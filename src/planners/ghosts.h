@@ -3,8 +3,8 @@
 #pragma once
 // Where could a moving obstacle stand still for a path around it to be worth planning?
 //
-// A ghost is a moving obstacle that stands in for a part of its motion: paths that avoid the ghost
-// are paths around the obstacle.
+// A ghost is a moving obstacle during a part of its motion, treated as a standing one: a path that
+// avoids the ghost is a path around the obstacle.
 
 #include <cstddef>
 #include <optional>
@@ -25,16 +25,16 @@ struct Ghost {
     at_rest,    ///< all obstacles that stay, where they stay
   };
   Kind kind = Kind::where_met;
-  std::size_t obstacle = 0;  ///< 0 if it stands for all
-  double t = 0.0;            ///< in whole steps, so that meetings nearby make one ghost [s]
+  std::size_t obstacle = 0;  ///< index of the moving obstacle; 0 for `at_rest`
+  double t = 0.0;            ///< time in whole steps, so that meetings nearby make one ghost [s]
   bool operator==(const Ghost&) const = default;
 };
 
-/// The ghosts that a meeting suggests, those first that leave most room.
+/// Ghosts for a meeting; those that leave most room come first.
 [[nodiscard]] std::vector<Ghost> ghosts_at(const Meeting& meeting);
 
-/// The task with the ghosts as obstacles, and nothing that moves; none if the start or the goal is
-/// not free then.
+/// The task with the ghosts as standing obstacles and without moving ones. None if the ghosts have
+/// no outline, or start or goal are not free then.
 [[nodiscard]] std::optional<Task> task_around(const Task& task, std::span<const Ghost> ghosts,
                                               const ClearanceOptions& clearance);
 

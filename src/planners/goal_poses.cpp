@@ -23,7 +23,7 @@ Bounds box_of(const GoalRegion& region) {
   return {region.x.least, region.x.most, region.y.least, region.y.most};
 }
 
-/// How long the interval of each axis is [m, rad].
+/// Lengths of the intervals of all axes [m, rad].
 std::array<double, 4> widths_of(const GoalRegion& region) {
   const auto [x_min, x_max, y_min, y_max] = box_of(region);
   return {x_max - x_min, y_max - y_min, width(region.heading),
@@ -41,7 +41,7 @@ Point nearest_on_side(const Point& p, const Point& a, const Point& b) {
   return {a.x + inside * dx, a.y + inside * dy};
 }
 
-/// The place itself, or the nearest one of the area's edge.
+/// The place itself if it is in the area, otherwise the nearest place on its edge.
 Point moved_into(const Polygon& area, const Point& p) {
   if (contains(area, p)) return p;
   Point nearest = area.front();
@@ -135,15 +135,16 @@ std::vector<GoalPoint> beside(const Task& task, const GoalPoint& point, double s
 
 namespace {
 
-/// Some goals of a region: all within half of the widths of the one in their midst.
+/// Part of a region: all goals within `half` of its middle.
 struct Part {
   GoalPoint middle;
-  std::array<double, 4> half;  // of the widths, in shares of the region's
-  double least;                // no path to any of them is shorter [m]
+  std::array<double, 4> half;  // half of the part's widths, as shares of the region's
+  double least;                // lower bound of the length of paths to the part [m]
   bool operator<(const Part& other) const { return least > other.least; }
 };
 
-/// How far the tractor may be from where it is in the midst of a part, and how far turned.
+/// Largest distance of the tractor from its pose in the middle of a part [m], and largest turn
+/// [rad].
 struct Spread {
   double place, turn;
 };
@@ -152,7 +153,7 @@ Spread spread_of(const Task& task, const Part& part) {
   const GoalRegion& region = task.goal_set[part.middle.region];
   const std::array<double, 4> widths = widths_of(region);
   const auto half = [&](Axis axis) { return part.half[axis] * widths[axis]; };
-  // Both ends of a path may be off as the judge allows.
+  // Both ends of a path may be off as far as the judge allows.
   Spread spread{std::hypot(half(x), half(y)) + 2 * steering::judged.position,
                 half(heading) + 2 * steering::judged.heading};
   if (!region.is_of_trailer) return spread;
@@ -162,8 +163,8 @@ Spread spread_of(const Task& task, const Part& part) {
   return spread;
 }
 
-/// The Reeds-Shepp length is a distance: it changes by no more than the length of the move, which
-/// is made ahead, sideways and on the spot.
+/// Lower bound of the length of paths to a part. The Reeds-Shepp length is a distance. So it
+/// changes by at most the length of the move, which is made ahead, sideways and on the spot.
 double least_length(const Task& task, const Part& part) {
   const double radius = task.vehicle.min_turning_radius;
   const Spread spread = spread_of(task, part);
@@ -182,7 +183,7 @@ double least_length(const Task& task, const Part& part) {
   return std::max({reeds_shepp_length(task.start, pose, radius) - move, apart, 0.0});
 }
 
-/// Both halves of a part, cut where that narrows the way most.
+/// Both halves of a part, cut along the interval with the longest way from end to end.
 std::array<Part, 2> halves(const Task& task, const Part& part) {
   const GoalRegion& region = task.goal_set[part.middle.region];
   const std::array<double, 4> widths = widths_of(region);
@@ -208,10 +209,10 @@ std::array<Part, 2> halves(const Task& task, const Part& part) {
 
 }  // namespace
 
-// The part that may be nearest is halved until that hardly tells more.
+// Halves the part with the least bound, until that hardly raises the bound.
 double least_length_to(const Task& task, std::size_t region, std::size_t halvings) {
   constexpr std::size_t most_halvings = 2000;
-  constexpr double fine = 1e-4;  // of the length, relative
+  constexpr double fine = 1e-4;  // finest size of a part, relative to the bound
   std::priority_queue<Part> parts;
   const bool either_way = task.goal_set[region].either_way;
   for (const bool is_turned : either_way ? std::vector{false, true} : std::vector{false}) {

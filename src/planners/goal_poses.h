@@ -11,36 +11,36 @@
 
 namespace vandplan::planning {
 
-/// Where in a region of goals a goal is: each number of 0 to 1 goes over one interval of the
-/// region.
+/// A goal in a region: each number from 0 to 1 is a place in one interval of the region.
 struct GoalPoint {
-  std::size_t region = 0;         ///< its number in the set
-  std::array<double, 4> at = {};  ///< x, y, heading, hitch angle
-  bool is_turned = false;         ///< by half a turn: of regions that hold both
+  std::size_t region = 0;         ///< index of the region in the set
+  std::array<double, 4> at = {};  ///< 0 to 1 in the intervals of x, y, heading, hitch angle
+  bool is_turned = false;         ///< whether the heading has half a turn more
   bool operator==(const GoalPoint&) const = default;
 };
 
-/// Where the vehicle is at that goal; heading in [-pi, pi).
+/// State of the vehicle at a goal, in the world's frame; heading in [-pi, pi).
 [[nodiscard]] Local<RigState> state_of(const Task& task, const GoalPoint& point);
 
-/// How many intervals region number `region` has: of x, y, heading and hitch angle.
+/// Number of intervals of a region that are longer than 0: of x, y, heading and hitch angle.
 [[nodiscard]] std::size_t number_of_intervals(const Task& task, std::size_t region);
 
-/// Hands goals of region number `region`, evenly spread over its intervals, to `take` until that
-/// has said true of `most` of them. A region of one pose has one, and another one that is turned.
+/// Calls `take` with goals evenly spread over a region, until it has returned true `most` times or
+/// there are no more. A region of one pose has one goal, or two if it may be turned.
 template <class Take>
 void spread(const Task& task, std::size_t region, std::size_t most, Take take);
 
-/// Goals beside another one of its region: forth and back along each interval, by that share of it.
+/// Goals beside `point`: forth and back along each interval of its region, by `share` of the
+/// interval.
 [[nodiscard]] std::vector<GoalPoint> beside(const Task& task, const GoalPoint& point, double share);
 
-/// Number `i` of a sequence of points that are evenly spread over a region, wherever it is cut off.
+/// Point `i` of a sequence that is evenly spread over a region, wherever it is cut off.
 [[nodiscard]] GoalPoint point_of_sequence(const Task& task, std::size_t region, std::size_t i);
 
-/// Whether a point is in the region; those of an area are spread over the box around it.
+/// Whether a point is in its region. Points of an area are spread over the box around it.
 [[nodiscard]] bool is_in_region(const Task& task, const GoalPoint& point);
 
-/// Numbers of points to look at before a region counts as having no more.
+/// Number of points after which a region counts as having no more.
 inline constexpr std::size_t most_looks = 4096;
 
 template <class Take>
@@ -53,8 +53,8 @@ void spread(const Task& task, std::size_t region, std::size_t most, Take take) {
   }
 }
 
-/// No path from the start to a region of the set is shorter, whatever stands in the way [m]. Halves
-/// parts of the region so often, at most 2000 times.
+/// Lower bound of the length of all paths from the start to a region of the set [m], on open
+/// ground. Halves parts of the region `halvings` times, at most 2000 times.
 [[nodiscard]] double least_length_to(const Task& task, std::size_t region, std::size_t halvings);
 
 }  // namespace vandplan::planning

@@ -32,26 +32,26 @@ using planning::PathSearch;
 using search::Budget;
 
 constexpr double endless = std::numeric_limits<double>::infinity();
-constexpr std::int64_t states_per_iteration = 200;      // looked at for the times of a path
-constexpr std::int64_t first_states = 40'000;           // most for one path at first
-constexpr double worth_a_way_around = 0.5;              // what waiting costs [m] or [s]
-constexpr std::size_t most_ghosts = 4;                  // that one source goes around
-constexpr std::size_t most_sources = 24;                // with ghosts, and the first one
-constexpr std::int64_t most_states_of_all = 1'000'000;  // that the memory is meant for
-constexpr double weight_of_best = 4.0;     // share of the work where the best way was found
-constexpr double long_wait = 1.3;          // unless it costs so much more than the fastest drive
-constexpr double weight_of_dearer = 0.25;  // and where even the fastest drive costs more
-constexpr std::int64_t before_refuges = 1500;  // iterations
-constexpr double share_of_refuges = 0.5;       // of the work after that, while there is no drive
-constexpr double later_share_of_refuges = 0.125;
-constexpr std::int64_t most_of_detour = 600;  // iterations until it has a path
+constexpr std::int64_t states_per_iteration = 200;  // states that count as one iteration
+constexpr std::int64_t first_states = 40'000;       // most states for one path at first
+constexpr double worth_a_way_around = 0.5;          // excess that starts searches around [m or s]
+constexpr std::size_t most_ghosts = 4;              // ghosts of one source
+constexpr std::size_t most_sources = 24;            // the first source and those with ghosts
+constexpr std::int64_t most_states_of_all = 1'000'000;  // most states for one path (memory)
+constexpr double weight_of_best = 4.0;                  // weight of the source of the best drive
+constexpr double long_wait = 1.3;  // a drive that costs so many times the fastest waits long
+constexpr double weight_of_dearer = 0.25;      // weight of a source whose fastest drive is dearer
+constexpr std::int64_t before_refuges = 1500;  // iterations before refuges are tried
+constexpr double share_of_refuges = 0.5;       // share of later work without a drive
+constexpr double later_share_of_refuges = 0.125;  // share of later work with a drive
+constexpr std::int64_t most_of_detour = 600;      // most iterations of a detour
 
-/// A path with its times, and what both cost.
+/// A path with its times, and their costs.
 struct Way {
   std::vector<Segment> segments;
   SpeedProfile speeds;
-  double path_cost = 0.0;  // if nothing moves [m], or [s] where the cost is the time
-  double cost = 0.0;       // with the time that the drive takes
+  double path_cost = 0.0;  // cost of the path if nothing moves [m or s]
+  double cost = 0.0;       // cost with the time of the drive [m or s]
 };
 
 /// One run: the best way so far, the sources, and the budget.
@@ -65,7 +65,7 @@ class Run {
         budget_(options.budget) {}
 
   [[nodiscard]] PlannerAnswer answer() {
-    // 0. What needs no search: somebody is where the vehicle begins or stays, or it is there.
+    // 0. Cases without a search: an obstacle blocks start or goal, or the goal is the start.
     if (PlannerAnswer none{.status = PlanStatus::no_path,
                            .reason = proof_of_none(task_, options_.clearance.margin)};
         !none.reason.empty()) {
@@ -80,7 +80,7 @@ class Run {
       if (!best_) answer.reason = "the goal is the start, and something that moves comes there";
       return answer;
     }
-    // 1. The sources go on in turn, and each path they find gets its times.
+    // 1. The sources take turns, and each path that they find gets its times.
     while (!budget_.exhausted() && !is_settled() && step()) {
     }
     PlannerAnswer alone_answer = first.search ? first.search->answer() : PlannerAnswer{};
@@ -109,7 +109,7 @@ class Run {
     return anytime::drive_search(task, options, time_price, given);
   }
 
-  /// One piece of work. False: nothing is left to do.
+  /// Does one piece of work. False if nothing is left to do.
   bool step() {
     Source* source = next_source();
     const bool may_use_refuges = met_ && !sources_.front().path.empty();
@@ -129,7 +129,7 @@ class Run {
     return static_cast<double>(refuge_work_) < share * static_cast<double>(work);
   }
 
-  /// Goes on with a detour, or with the next one when it has had its share.
+  /// Goes on with a detour, or with the next one when the detour is spent.
   void go_on_with_refuges() {
     if (detour_ && detour_ != best_source_) {
       if (!is_spent(*detour_)) {
@@ -170,7 +170,7 @@ class Run {
     consider(*detour_, detour_->path, true);
   }
 
-  /// Whether the path along a detour has been given its times, or none is found.
+  /// Whether a detour needs no more work: its path has got its times, or no path is found.
   [[nodiscard]] static bool is_spent(const Source& detour) {
     if (detour.is_finished() || detour.spent >= most_of_detour) return true;
     return !detour.path.empty() && !detour.wants_times();
@@ -184,7 +184,7 @@ class Run {
     return search_through(source.task, *source.detour, of_leg);
   }
 
-  /// Whose turn it is: the source that has done least work for its weight; none if all are through.
+  /// The source whose turn it is: the one with the least work for its weight; null: none.
   [[nodiscard]] Source* next_source() {
     Source* next = nullptr;
     double least = endless;
@@ -205,8 +205,8 @@ class Run {
     return source.fastest_cost >= best_->cost ? weight_of_dearer : 1.0;
   }
 
-  /// Whether nobody can find anything better: what is there without movers is proven the best, and
-  /// it is driven as if nothing moved.
+  /// Whether no better drive can be found: the search without moving obstacles has ended, and has
+  /// no path or its path is driven as if nothing moved.
   [[nodiscard]] bool is_settled() const {
     const Source& alone = sources_.front();
     if (!alone.is_searched) return false;
@@ -224,7 +224,7 @@ class Run {
     }
     if (!source.search) {
       source.search = make_search(source);
-      offer(source);  // what is there before the first round
+      offer(source);  // the path before the first round, if there is one
       if (!source.path.empty()) {
         ++source.spent;
         return;
@@ -238,7 +238,7 @@ class Run {
     source.spent += std::max<std::int64_t>(budget_.iterations() - before, 1);
   }
 
-  /// Gives the path of a source its times, if it is a new one that may win.
+  /// Looks for times along the path of a source, if that is a new path that may win.
   void offer(Source& source) {
     std::optional<std::vector<Segment>> path = source.search->path();
     if (!path || *path == source.path) return;
@@ -248,7 +248,7 @@ class Run {
     consider(source, source.path, true);
   }
 
-  /// Looks for times along a path: in haste at first, with care when it is the source's turn again.
+  /// Looks for times along a path: in haste at first, with care when the source has its next turn.
   void consider(Source& source, const std::vector<Segment>& segments, bool is_hasty) {
     const double path_cost = pricing_.cost(segments, search::Looks::answer);
     source.fastest_cost = with_time(path_cost, planning::drive_time(task_, segments));
@@ -295,8 +295,8 @@ class Run {
     }
   }
 
-  /// The best times along a path. Most drives that are worth finding take less than twice as long
-  /// as the fastest one: they are looked for first, which is a fraction of the work.
+  /// The best times along a path. Most good drives take less than twice as long as the fastest one.
+  /// So such drives are searched first, which is a fraction of the work.
   [[nodiscard]] moving::Yielding times_along(const Path& path, moving::Traffic& traffic,
                                              bool is_short_enough) const {
     const double longest = traffic.longest;
@@ -310,7 +310,7 @@ class Run {
     return yielding;
   }
 
-  /// Adds sources that go around who is met on the fastest drive along the path of a source.
+  /// Adds sources that go around the obstacle that the fastest drive of a source meets.
   void go_around(const Source& source, const Meeting& meeting) {
     if (!met_) met_ = meeting;
     if (source.detour || source.ghosts.size() >= most_ghosts) return;
@@ -331,14 +331,14 @@ class Run {
     }
   }
 
-  /// States that the search for the times of the path of a source may look at.
+  /// Most states of a search for the times along the path of a source.
   [[nodiscard]] std::int64_t states_for(const Source& source) const {
     const std::int64_t states = first_states + states_per_iteration / 10 * budget_.iterations();
-    if (source.detour && &source != best_source_) return first_states;  // there are many
+    if (source.detour && &source != best_source_) return first_states;  // there are many detours
     return std::min(states << source.doublings, most_states_of_all);
   }
 
-  /// A longer drive along a path of that cost would not be better than the best so far [s].
+  /// Longest drive along a path of cost `path_cost` that is better than the best drive [s].
   [[nodiscard]] double longest_of(double path_cost) const {
     if (!best_) return endless;
     return pricing_.is_time() ? best_->cost : (best_->cost - path_cost) / time_price;
@@ -372,20 +372,20 @@ class Run {
 
   const Task& task_;
   const PlanOptions& options_;
-  std::span<const NamedSource> paths_;  // of the caller
-  planning::Pricing pricing_;           // of a path, if nothing moves
+  std::span<const NamedSource> paths_;  // sources of paths from the caller
+  planning::Pricing pricing_;           // cost of a path if nothing moves
   Budget budget_;
-  std::deque<Source> sources_;                 // the first one without ghosts
-  std::vector<std::vector<Ghost>> tried_;      // of all sources, also those that cannot be planned
-  std::size_t sources_around_ = 0;             // with ghosts
+  std::deque<Source> sources_;                 // the first source has no ghosts
+  std::vector<std::vector<Ghost>> tried_;      // ghosts of all sources, also of refused ones
+  std::size_t sources_around_ = 0;             // number of sources with ghosts
   std::vector<std::vector<Segment>> offered_;  // paths of all sources but detours
   std::optional<Refuges> refuges_;
-  std::optional<Meeting> met_;  // the first one that is worth a way around
-  Source* detour_ = nullptr;    // the one that is looked at
-  std::int64_t refuge_work_ = 0;
+  std::optional<Meeting> met_;    // first meeting that is worth a way around
+  Source* detour_ = nullptr;      // current detour; null: none
+  std::int64_t refuge_work_ = 0;  // work on detours [iterations]
   std::optional<Way> best_;
   const Source* best_source_ = nullptr;
-  std::vector<CostSample> trace_;  // whenever a better drive was found: the cost of its path
+  std::vector<CostSample> trace_;  // cost of the path of each better drive
   std::int64_t states_ = 0;
 };
 

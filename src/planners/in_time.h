@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// The default planner among what moves: paths, and when to be where on them.
+// The default planner among moving obstacles: paths, and times along them.
 // How it works: docs/algorithms/moving.md.
 
 #include <span>
@@ -13,12 +13,12 @@
 
 namespace vandplan::in_time {
 
-/// What a second of a drive costs beside the prices of its path [m].
+/// Cost of a second of a drive, beside the prices of its path [m].
 inline constexpr double time_price = 2.0;
 
-/// Plans drives whose paths and seconds cost least together, and looks for ways around what is met.
-/// Expects start and goal to be free of what stands. `sources` propose paths where nothing moves;
-/// no notice is taken of them with a trailer.
+/// Plans the drive whose path and seconds cost least together, and looks for ways around obstacles
+/// that it meets. Expects start and goal to be free of standing obstacles. `sources` propose paths
+/// among standing obstacles; they are ignored with a trailer.
 [[nodiscard]] PlannerAnswer plan(const Task& task, const PlanOptions& options,
                                  std::span<const NamedSource> sources = {});
 

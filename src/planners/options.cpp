@@ -37,8 +37,8 @@ bool is_price(std::string_view option) {
          option == "clearance_distance";
 }
 
-/// The names of the planners for which `does` is true, with commas between them. A family that is
-/// large and has no other planners stands there once: "rrt-... (28)".
+/// Names of the planners for which `does` is true, with commas between them. A large family has one
+/// name if `does` is true for all its planners: "rrt-... (28)".
 template <typename Predicate>
 std::string planners_that(const Predicate& does) {
   constexpr std::ptrdiff_t many = 4;
@@ -90,8 +90,8 @@ std::string planners_that(const Predicate& does) {
   throw InputError(std::string(option), "unknown option, " + base::expected_one_of(option, names));
 }
 
-/// Throws for what is set though the planner takes no notice of it. That it plans by length, or
-/// arcs and lines, may be said.
+/// Throws InputError for an option that is set but ignored by the planner. Options that ask for
+/// planning by length, or for arcs and lines, are allowed.
 void refuse_ignored(const Planner& planner, const PlanOptions& options) {
   const PlanOptions unset;
   const PlanOptions known{.cost = shortest_style, .steering = Steering::reeds_shepp};
@@ -108,7 +108,7 @@ void refuse_ignored(const Planner& planner, const PlanOptions& options) {
   if (options.primitives && !honours(planner, primitives_key)) refuse(planner, primitives_key);
 }
 
-/// Throws InputError for a price that is set, unless to what makes it say nothing.
+/// Throws InputError for a price that is set, unless to a value without effect.
 void refuse_prices(const PlanOptions& options) {
   const PlanOptions unset;
   const PlanOptions neutral{.cost = shortest_style};
@@ -120,7 +120,7 @@ void refuse_prices(const PlanOptions& options) {
   }
 }
 
-/// Puts all prices and the steering in the place of the style.
+/// Replaces the style by its prices and its steering.
 void settle_style(const Planner& planner, const Vehicle& vehicle, PlanOptions& all) {
   const Style style = planner.properties.honours_prices
                           ? all.style.value_or(planner.properties.style)
@@ -136,7 +136,7 @@ void settle_style(const Planner& planner, const Vehicle& vehicle, PlanOptions& a
   all.steering = planner.properties.steering.value_or(usual);
 }
 
-/// Throws InputError when a table is asked for that is not there, or is there and not asked for.
+/// Throws InputError if a table is missing, or is given but not used.
 void settle_table(const Planner& planner, const PlanOptions& all) {
   const bool is_asked = asks_for_table(planner, all);
   if (is_asked && !all.table) {
@@ -147,7 +147,8 @@ void settle_table(const Planner& planner, const PlanOptions& all) {
   }
 }
 
-/// Sets the style, and no price or steering beside it. Whoever knows no prices has the shortest.
+/// Sets the style, and unsets prices and steering. A planner without prices takes only the
+/// shortest.
 void set_style(PlanOptions& options, const Planner& planner, std::string_view name) {
   const Style style = style_named(name);
   if (style != Style::shortest && !honours(planner, style_key)) refuse(planner, style_key);

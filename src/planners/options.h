@@ -3,13 +3,14 @@
 #pragma once
 // Which options does a planner honour, and what is in force?
 //
-// Most of that is public: planner.h.
+// Most functions are public: planner.h.
 
 #include "vandplan/planner.h"
 
 namespace vandplan::planning {
 
-/// Throws InputError that names the planners that plan among what moves.
+/// Throws InputError for a planner that ignores moving obstacles. The text names the planners that
+/// honour them.
 [[noreturn]] void refuse_moving(const Planner& planner);
 
 }  // namespace vandplan::planning

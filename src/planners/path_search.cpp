@@ -10,7 +10,7 @@
 namespace vandplan::planning {
 namespace {
 
-constexpr std::int64_t first_round = 128;  // iterations
+constexpr std::int64_t first_round = 128;  // iterations of the first round
 
 class Restarted final : public PathSearch {
  public:
@@ -45,7 +45,7 @@ class Restarted final : public PathSearch {
   PlannerRun planner_;
   PlanOptions options_;
   search::Budget budget_;
-  PlannerAnswer answer_;  // of the last round that had a path
+  PlannerAnswer answer_;  // last answer that has a path; the last of all if none has
   std::int64_t round_ = first_round;
   std::int64_t iterations_ = 0;
 };

@@ -3,8 +3,8 @@
 #pragma once
 // How does a planner go on piece by piece?
 //
-// A path search looks for paths where nothing moves. Whoever has several of them, such as the
-// planner among moving obstacles, lets each go on for a while in turn.
+// A path search can be continued. A planner that has several of them, such as the one among moving
+// obstacles, lets each go on in turn.
 
 #include <cstdint>
 #include <functional>
@@ -17,18 +17,18 @@
 
 namespace vandplan::planning {
 
-/// A planner that can be continued. What it has found after so many iterations does not depend on
-/// how many it is granted later.
+/// A planner that can be continued. What it has found after a number of iterations does not depend
+/// on how many it is granted later.
 class PathSearch {
  public:
   virtual ~PathSearch() = default;
 
-  /// Goes on for one round of at most `most` iterations. False: there is nothing left to do, or the
-  /// time is over.
+  /// Goes on for one round of at most `most` iterations. False if nothing is left to do or the time
+  /// is over.
   virtual bool advance(std::int64_t most) = 0;
-  /// The cheapest path so far, tidied; none while there is none.
+  /// The cheapest path so far, tidied; none while no path is known.
   [[nodiscard]] virtual std::optional<std::vector<Segment>> path() = 0;
-  /// Iterations so far.
+  /// Number of iterations so far.
   [[nodiscard]] virtual std::int64_t iterations() const = 0;
   /// Status, counters and the path, as if the search ended here.
   [[nodiscard]] virtual PlannerAnswer answer() = 0;

@@ -12,7 +12,7 @@ namespace vandplan {
 void plan_many(std::span<const Problem> problems, const Planner& planner,
                const PlanOptions& options, int jobs,
                const std::function<void(std::size_t, PlanResult)>& take) {
-  std::vector<std::optional<PlanResult>> results(problems.size());  // that wait to be taken
+  std::vector<std::optional<PlanResult>> results(problems.size());  // results waiting to be taken
   parallel_in_order(
       problems.size(), jobs,
       [&](std::size_t i) { results[i] = plan(problems[i], planner, options); },

@@ -25,23 +25,23 @@ namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
 
-// Goals of a region that are searched for: of one interval, or of several.
+/// Most goals of a region that are searched for: with one interval, and with several.
 constexpr std::size_t most_of_line = 16;
 constexpr std::size_t most_of_region = 64;
-constexpr std::size_t most_of_set = 2048;        // of all regions, but for two of each
-constexpr std::size_t halvings_of_set = 20'000;  // of parts of its regions, to bound the cost
-constexpr std::size_t most_open_ways = 2;        // that are looked at before the first search
+constexpr std::size_t most_of_set = 2048;        // most goals of all regions, but two of each
+constexpr std::size_t halvings_of_set = 20'000;  // halvings of parts of all regions, for the bound
+constexpr std::size_t most_open_ways = 2;  // goals tried on open ground before the first search
 /// Work on the most promising goal after which twice as many goals are looked at [iterations].
 constexpr double work_of_doubling = 64.0;
-/// The less work is done on a goal the more its path costs: by the ratio to a power that grows, as
-/// a first path says little. It grows by 1 in so many iterations, up to `severity`.
+/// Work on a goal is weighted by its cost over the best cost, to a power that grows, as a first
+/// path says little. The power grows by 1 in so many iterations, up to `severity`.
 constexpr std::int64_t work_of_power = 128;
 constexpr std::int64_t severity = 32;
-/// A goal without a path counts as one that costs so much more.
+/// Factor over the best cost that a goal without a path counts as.
 constexpr double doubt = 1.08;
-constexpr std::int64_t chance = 256;  // iterations
-constexpr double dropped = 1.2;       // costs above the best one by this factor are not bettered
-/// How far apart goals beside the best one are, in shares of the intervals of its region.
+constexpr std::int64_t chance = 256;  // iterations that a goal gets for a fair chance
+constexpr double dropped = 1.2;       // a goal that costs so many times the best is dropped
+/// First and last distance of goals beside the best one, in shares of their intervals.
 constexpr double first_share = 0.125;
 constexpr double last_share = 5e-4;
 
@@ -49,16 +49,16 @@ constexpr double last_share = 5e-4;
 struct Candidate {
   GoalPoint point;
   Task task;
-  double bound = 0.0;              // no path to it costs less
-  int rank = 0;                    // how often the number of goals doubled before it
-  std::optional<Path> known = {};  // a path to a goal nearby
+  double bound = 0.0;              // lower bound of the cost of paths to the goal
+  int rank = 0;                    // the goal joins when the number of goals has doubled so often
+  std::optional<Path> known = {};  // path to a goal nearby
   std::unique_ptr<PathSearch> search = {};
   std::optional<std::vector<Segment>> path = {};
   double cost = endless;
   std::int64_t spent = 0;
-  double begun = 0.0;  // when its search began [s]
+  double begun = 0.0;  // when the search began [s]
   bool is_done = false;
-  bool is_closed = false;  // proven: there is no path
+  bool is_closed = false;  // whether it is proven that there is no path
 };
 
 /// Goals beside the best one, which are tried together.
@@ -98,7 +98,7 @@ class SetRun {
  private:
   // ---- The goals of the set ----
 
-  /// [1] [2]
+  /// [1] [2] Adds the goals of the set, in the order of their searches.
   void add_goals() {
     std::vector<Candidate> goals;
     const std::size_t regions = task_.goal_set.size();
@@ -131,18 +131,18 @@ class SetRun {
     }
   }
 
-  /// Goals whose open ways are looked at: none where no search begins with them.
+  /// Number of goals that are tried on open ground: 0 if searches do not begin with that.
   [[nodiscard]] std::ptrdiff_t looks_at_open_ways(std::size_t goals) const {
     const bool begins_there = !task_.vehicle.trailer && task_.moving.empty();
     return begins_there ? static_cast<std::ptrdiff_t>(std::min(goals, most_open_ways)) : 0;
   }
 
-  /// Whether its search has a path at once.
+  /// Whether the search for the goal has a path at once, on open ground.
   [[nodiscard]] bool is_open(const Candidate& goal) const {
     return !anytime::open_ways(goal.task, pricing_.rule()).empty();
   }
 
-  /// None if the vehicle cannot stand there.
+  /// The goal at a point; none if the vehicle cannot stand there.
   [[nodiscard]] std::optional<Candidate> candidate_at(const GoalPoint& point) const {
     const Local<RigState> state = state_of(task_, point);
     Candidate goal{.point = point,
@@ -159,7 +159,7 @@ class SetRun {
     return anytime::CostBound(task, pricing).least({});
   }
 
-  /// No path to any of the continuous regions costs less.
+  /// Lower bound of the cost of paths to continuous regions.
   [[nodiscard]] double bound_of_regions() {
     if (!bound_of_regions_) bound_of_regions_ = find_bound_of_regions();
     return *bound_of_regions_;
@@ -188,7 +188,7 @@ class SetRun {
     return !goal.is_done && (best_ == nullptr || &goal == best_ || goal.bound < best_->cost);
   }
 
-  /// [3] [4] The less the sooner.
+  /// [3] [4] Priority of a goal; the one with the least comes next.
   [[nodiscard]] double priority(const Candidate& goal) const {
     const double joins = work_of_doubling * (goal.path ? 0 : goal.rank);
     const double work = static_cast<double>(goal.spent) + work_of_doubling + joins;
@@ -201,7 +201,8 @@ class SetRun {
     return work * weight;
   }
 
-  /// Goals beside the best one count as one goal: they hardly find paths of another kind.
+  /// The goal whose turn it is; null: none. All goals beside the best one count as one goal,
+  /// because they hardly find paths of another kind.
   [[nodiscard]] Candidate* next_candidate() {
     Candidate* next = nullptr;
     Candidate* next_beside = nullptr;
@@ -273,7 +274,7 @@ class SetRun {
     note(goal);
   }
 
-  /// Among what moves the drive may have to wait.
+  /// Cost of a path to a goal. Among moving obstacles the drive may have to wait.
   [[nodiscard]] double cost_of(const Candidate& goal, const std::vector<Segment>& path) const {
     if (task_.moving.empty()) return pricing_.cost(path, search::Looks::search);
     const double duration = goal.search->answer().speeds->duration;
@@ -296,7 +297,7 @@ class SetRun {
       trace_.push_back({budget_.elapsed(), budget_.iterations(), goal.cost});
       return;
     }
-    // What its search has found since it began, as far as that is better than what was there.
+    // The trace gets what the search has found since it began, if that is better than all before.
     const std::int64_t others = budget_.iterations() - goal.search->iterations();
     for (const auto& [time, iteration, cost] : goal.search->answer().anytime) {
       const CostSample sample{goal.begun + time, std::max<std::int64_t>(others, 0) + iteration,
@@ -313,7 +314,7 @@ class SetRun {
 
   // ---- Between the goals of a continuous region ----
 
-  /// [5] Tries goals beside the best one, ever nearer to it. False: there are none to try.
+  /// [5] Tries goals beside the best one, ever nearer to it. False if there are none to try.
   bool refine() {
     if (best_ == nullptr || is_single(*best_)) return false;
     if (!best_->is_done && best_->spent < chance / 4) return true;
@@ -352,7 +353,7 @@ class SetRun {
 
   // ---- The end ----
 
-  /// No path to any goal of the set costs less.
+  /// Lower bound of the cost of paths to all goals of the set.
   [[nodiscard]] double lower_bound() {
     if (!saw_all_) return 0.0;
     double least = bound_of_regions();
@@ -362,7 +363,7 @@ class SetRun {
     return least;
   }
 
-  /// [6]
+  /// [6] Whether the budget is spent, or the best cost is within `target_gap` of the bound.
   [[nodiscard]] bool is_over() {
     if (budget_.exhausted()) return true;
     const std::optional<double>& gap = options_.budget.target_gap;
@@ -401,21 +402,21 @@ class SetRun {
       answer.reason += "; so for all " + std::to_string(closed) + " goals that are free";
   }
 
-  static constexpr std::int64_t most_of_turn = std::int64_t{1} << 40;  // iterations: a whole round
+  static constexpr std::int64_t most_of_turn = std::int64_t{1} << 40;  // iterations: no limit
 
   const Task& task_;
-  Task alone_ = task_;  // without the set
+  Task alone_ = task_;  // the task without its set
   const PlanOptions& options_;
   double time_price_;
   const SearchTo& search_to_;
   Pricing pricing_;
   search::Budget budget_;
   std::deque<Candidate> candidates_;
-  std::size_t looked_at_ = 0;  // poses
-  bool saw_all_ = true;        // regions, before the time was over
+  std::size_t looked_at_ = 0;  // poses looked at
+  bool saw_all_ = true;        // whether no region was left out for lack of time
   std::optional<double> bound_of_regions_;
   Candidate* best_ = nullptr;
-  std::int64_t work_beside_ = 0;  // on goals beside the best one [iterations]
+  std::int64_t work_beside_ = 0;  // work on goals beside the best one [iterations]
   std::optional<Refinement> refinement_;
   std::vector<CostSample> trace_;
 };

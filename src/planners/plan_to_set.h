@@ -20,15 +20,14 @@ namespace vandplan::planning {
 using SearchTo = std::function<std::unique_ptr<PathSearch>(
     const Task& task, const PlanOptions& options, const Path* known)>;
 
-/// Plans to the cheapest goal of the set of a task. Goals of the set are searched for in turn, the
-/// more promising the more; what continuous regions hold between them follows. Each second costs
-/// `time_price` [m] beside the prices of the path; without effect where the cost is the time.
-/// Expects a start that is free.
+/// Plans to the cheapest goal of the set of a task. Searches for goals take turns, and promising
+/// goals get more work. Then goals between them in continuous regions are tried. Each second costs
+/// `time_price` [m] beside the prices of the path; `time_price` is ignored if the cost is the time.
+/// Expects the start to be free.
 [[nodiscard]] PlannerAnswer plan_to_set(const Task& task, const PlanOptions& options,
                                         double time_price, const SearchTo& search_to);
 
-/// The search of a planner that knows nothing of sets: it plans anew, with more iterations each
-/// time.
+/// Searches of a planner that knows no sets of goals: each round plans anew, with more iterations.
 [[nodiscard]] SearchTo restarted_search(
     std::function<PlannerAnswer(const Task&, const PlanOptions&)> planner);
 

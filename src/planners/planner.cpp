@@ -19,8 +19,8 @@
 namespace vandplan {
 namespace {
 
-constexpr double rounding = 1e-12;  // of a sum of lengths, relative
-/// What needs no search: a start or goal that cannot be, and a goal that is the start.
+constexpr double rounding = 1e-12;  // relative rounding of a sum of lengths
+/// Answer that needs no search: start or goal are not free, or the goal is the start.
 std::optional<PlannerAnswer> settled(const Task& task) {
   PlannerAnswer answer;
   const auto [first_angle, last_angle] = task.hitch_angles;
@@ -33,7 +33,7 @@ std::optional<PlannerAnswer> settled(const Task& task) {
     answer.status = PlanStatus::goal_in_collision;
     return answer;
   }
-  if (!task.moving.empty()) return std::nullopt;  // somebody may come by
+  if (!task.moving.empty()) return std::nullopt;  // an obstacle may come by
   if (first_angle != last_angle) return std::nullopt;
   const double radius = task.vehicle.min_turning_radius;
   if (reeds_shepp_length(task.start, task.goal, radius) > 0.0) return std::nullopt;
@@ -43,7 +43,7 @@ std::optional<PlannerAnswer> settled(const Task& task) {
   return answer;
 }
 
-/// What is said about a path when it is shown to the judge.
+/// The claims about a path that the judge checks.
 PathClaims claims_of(const PlanResult& result, const PlanOptions& all) {
   StatedCost cost{.cost = result.cost, .rule = all.cost};
   if (result.lower_bound > 0.0) cost.bound = result.lower_bound;
@@ -51,7 +51,7 @@ PathClaims claims_of(const PlanResult& result, const PlanOptions& all) {
       .cost = cost, .clearance = all.clearance, .steering = *all.steering, .gears = all.cost.gears};
 }
 
-/// Why the times of a path among what moves are no good; empty if they are.
+/// Reason why the times of a path among moving obstacles are wrong; empty if they are right.
 std::string fault_of_times(const Problem& problem, const PlanOptions& options, PlanResult& result) {
   if (problem.task().moving.empty()) return "";
   if (!result.speeds) return "the planner gives a path among what moves, and no speeds";
@@ -60,15 +60,15 @@ std::string fault_of_times(const Problem& problem, const PlanOptions& options, P
   return result.drive_check->reason;
 }
 
-/// Lets the judge see the path; takes it away if he rejects it, also for a bound that is above the
-/// cost.
+/// Lets the judge check the path, and takes the path away if he rejects it. A bound above the cost
+/// is rejected, too.
 void judge(const Problem& problem, const PlanOptions& options, PlanResult& result) {
   result.check = check_path(problem, *result.path, claims_of(result, options));
   result.reason = result.check->reason;
   result.goal = result.check->goal;
   if (result.check->valid) result.reason = fault_of_times(problem, options, result);
   if (result.reason.empty()) {
-    if (result.anytime.empty()) {  // a planner that keeps no trace
+    if (result.anytime.empty()) {  // the planner keeps no trace
       result.anytime.push_back({result.time_total, result.iterations, result.cost});
     }
     if (result.lower_bound <= result.cost * (1 + rounding)) {
@@ -85,14 +85,15 @@ void judge(const Problem& problem, const PlanOptions& options, PlanResult& resul
   result.lower_bound = 0.0;
 }
 
-/// The cost of the path to all digits, which is also the last one of the trace: a planner looks at
-/// the clearance less finely.
+/// Computes the cost of the path to all digits, also for the end of the trace. Planners sum the
+/// clearance less finely.
 void settle_cost(const Task& task, const CostOptions& options, PlanResult& result) {
   const planning::Pricing pricing(task, options);
   result.cost = pricing.cost(result.path->segments, search::Looks::answer);
   if (!pricing.is_time() && options.clearance_weight == 0.0) return;
   std::vector<CostSample>& trace = result.anytime;
-  const bool must_fall = !result.speeds;  // among moving obstacles a better drive may have any path
+  // Among moving obstacles a better drive may have a dearer path.
+  const bool must_fall = !result.speeds;
   while (must_fall && trace.size() > 1 && trace[trace.size() - 2].cost <= result.cost)
     trace.pop_back();
   if (!trace.empty()) trace.back().cost = result.cost;

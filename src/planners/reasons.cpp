@@ -22,7 +22,7 @@ struct Refusal {
   std::optional<Hit> hit = {};
 };
 
-/// What the judge says of standing there, or that planning asks for a little more.
+/// Reason of the judge why a state is not free, or that planning asks for a little more margin.
 Refusal refusal_at(const Problem& problem, const RigState& state, const ClearanceOptions& options) {
   const auto& [pose, angle] = state;
   const Problem there =
@@ -47,7 +47,8 @@ Refusal refusal_at(const Problem& problem, const RigState& state, const Clearanc
 void explain_refusal(const Problem& problem, const ClearanceOptions& options, PlanResult& result) {
   const bool is_start = result.status == PlanStatus::start_in_collision;
   if (!is_start && result.status != PlanStatus::goal_in_collision) return;
-  // A set of goals is not free anywhere that was looked at; of one pose the judge says why.
+  // For a set the planner's reason says how many poses were tried. For one pose the judge has a
+  // reason.
   const bool is_set = problem.goal_set().size() > 1 ||
                       (problem.goal_set().size() == 1 && is_continuous(problem.goal_set()[0]));
   if (!is_start && is_set) return;
@@ -59,7 +60,7 @@ void explain_refusal(const Problem& problem, const ClearanceOptions& options, Pl
 }
 
 std::string likely_reason(const Task& task) {
-  if (task.steering != Steering::continuous) return "";  // they turn where the vehicle stands
+  if (task.steering != Steering::continuous) return "";  // the wheels turn at a standstill
   const double rate = max_curvature_rate(task.vehicle);
   const double way = 2.0 / (task.vehicle.min_turning_radius * rate);
   const Bounds& b = task.world->local().bounds;

@@ -9,11 +9,11 @@
 
 namespace vandplan::planning {
 
-/// Says what is in the way of a start or goal in collision.
+/// Sets reason and hit of a result whose start or goal is in collision.
 void explain_refusal(const Problem& problem, const ClearanceOptions& options, PlanResult& result);
 
-/// Why a search that ended without a path is likely to have none: the wheels turn so slowly that
-/// from lock to lock the vehicle drives further than its bounds are long. Empty otherwise.
+/// Likely reason of a search that ended without a path: the wheels turn so slowly that from lock to
+/// lock the vehicle drives further than its bounds are long. Empty otherwise.
 [[nodiscard]] std::string likely_reason(const Task& task);
 
 }  // namespace vandplan::planning

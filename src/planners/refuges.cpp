@@ -20,15 +20,15 @@ namespace {
 
 using planning::PathSearch;
 
-constexpr int poses_of_draw = 100;
-constexpr int free_poses_of_draw = 6;   // that are looked at among what moves
-constexpr double furthest_aside = 4.0;  // of the path, in lengths of the vehicle
-constexpr double share_along = 0.6;     // of poses that stand along the path
-constexpr double share_across = 0.2;    // of poses that stand across it
-constexpr int places_to_leave = 4;      // and to come back to
-constexpr double furthest_along = 6.0;  // from there to the refuge, in turning radii
-constexpr double look_step = 0.5;       // between looks at what passes [s]
-constexpr double most_steps = 400;
+constexpr int poses_of_draw = 100;      // poses that are drawn
+constexpr int free_poses_of_draw = 6;   // free poses that are tried
+constexpr double furthest_aside = 4.0;  // largest distance from the path [vehicle lengths]
+constexpr double share_along = 0.6;     // share of poses along the path
+constexpr double share_across = 0.2;    // share of poses across the path
+constexpr int places_to_leave = 4;      // tries to leave the path, and to come back
+constexpr double furthest_along = 6.0;  // largest distance along the path [turning radii]
+constexpr double look_step = 0.5;       // time between looks at obstacles [s]
+constexpr double most_steps = 400;      // most looks at an obstacle
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double top_speed(const Vehicle& vehicle) {
@@ -39,8 +39,8 @@ double length_of(const Vehicle& vehicle) {
   return vehicle.rear_overhang + vehicle.wheelbase + vehicle.front_overhang;
 }
 
-/// The place of the path nearest to `s` on its segment where the wheels are straight; an end of the
-/// segment if there is none.
+/// Position near `s` where the path can be left: `s` itself on a line, otherwise the end of its
+/// segment where the wheels are straighter.
 double straight_place(const Path& path, double s) {
   double begin = 0.0;
   for (const Segment& segment : path.segments) {
@@ -55,7 +55,7 @@ double straight_place(const Path& path, double s) {
   return begin;
 }
 
-/// What of the path lies between two places.
+/// The part of the path between two positions.
 std::vector<Segment> stretch_of(const Path& path, double from, double to) {
   std::vector<Segment> stretch;
   double begin = 0.0;
@@ -73,8 +73,8 @@ void append(std::vector<Segment>& way, const Piece& piece) {
   way.insert(way.end(), piece.view().begin(), piece.view().end());
 }
 
-/// A path from the start through a refuge: two searches, each going on in turn once both have a
-/// path.
+/// Search for a path from the start through a refuge: two searches, which take turns once both have
+/// a path.
 class Through final : public PathSearch {
  public:
   Through(const Task& task, const Detour& detour, SearchMaker make_search)
@@ -131,7 +131,7 @@ class Through final : public PathSearch {
   }
 
  private:
-  /// The leg whose turn it is: one without a path, or the other one than before; 2: none.
+  /// Index of the leg whose turn it is: one without a path, otherwise the legs take turns; 2: none.
   [[nodiscard]] std::size_t next_leg() const {
     if (has_failed_) return 2;
     for (const std::size_t leg : {std::size_t{0}, std::size_t{1}}) {
@@ -141,7 +141,8 @@ class Through final : public PathSearch {
     return is_finished_[1 - turn_] ? 2 : 1 - turn_;
   }
 
-  /// A trailer comes to the refuge a little askew: the path to there stays as it is then.
+  /// Sets the hitch angle at the refuge, where a trailer arrives a little askew. The path to the
+  /// refuge then stays as it is.
   void begin_second() {
     RigState state{tasks_[0].start, tasks_[0].hitch_angles.start};
     if (!tasks_[0].vehicle.trailer) return;
@@ -190,7 +191,7 @@ std::optional<Detour> Refuges::draw(const Path& path, std::size_t passing) {
   return best;
 }
 
-/// A pose on either side of the path, more often near it than far from it.
+/// Random pose on either side of the path, more often near the path than far from it.
 LocalPose Refuges::pose_beside(const LocalPose& on_path) {
   const double nearest = task_.vehicle.width / 2;
   const double furthest = furthest_aside * length_of(task_.vehicle);
@@ -208,7 +209,7 @@ LocalPose Refuges::pose_beside(const LocalPose& on_path) {
   return pose;
 }
 
-/// A detour from the path to the refuge beside its place `s`.
+/// Detour from the path to the refuge beside position `s`.
 std::optional<Detour> Refuges::detour(const Path& path, double s, const LocalPose& refuge) {
   if (task_.vehicle.trailer) return Detour{refuge};
   std::optional<std::vector<Segment>> there = way_there(path, s, refuge);
@@ -249,8 +250,8 @@ std::optional<std::vector<Segment>> Refuges::way_onward(const Path& path, double
   return std::nullopt;
 }
 
-/// Whether nobody comes to the pose from when the vehicle may be there until the passing obstacle
-/// is nearest to it. Looks now and then, as the drive is checked later.
+/// Whether no obstacle comes to the pose from the vehicle's earliest arrival until the passing
+/// obstacle is nearest. Looks only now and then, because the drive is checked later.
 bool Refuges::lets_pass(const LocalPose& pose, std::size_t passing) const {
   const Path none{pose, {}};
   const moving::Encounters encounters({none, task_.vehicle}, task_.moving, margin_);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Where beside its path can the vehicle let an obstacle pass?
+// Where beside its path can the vehicle wait while an obstacle passes?
 //
-// A refuge is a pose that the vehicle can wait at while an obstacle goes by:
-// docs/algorithms/moving.md.
+// A refuge is a pose where the vehicle waits while an obstacle goes by: docs/algorithms/moving.md.
 
 #include <cstdint>
 #include <functional>
@@ -24,18 +23,18 @@ namespace vandplan::in_time {
 /// A refuge, and paths to it and on to the goal.
 struct Detour {
   LocalPose refuge;
-  std::vector<Segment> there = {};   ///< from the start; empty with a trailer: not known
-  std::vector<Segment> onward = {};  ///< from the refuge to the goal; empty with a trailer
+  std::vector<Segment> there = {};   ///< path from the start to the refuge; empty with a trailer
+  std::vector<Segment> onward = {};  ///< path from the refuge to the goal; empty with a trailer
 };
 
-/// Draws refuges beside paths.
+/// Draws random refuges beside paths.
 class Refuges {
  public:
-  /// Detours are made of words that are cheapest by `rule`. The task outlives it.
+  /// Detours are made of words that are cheapest by `rule`. The task outlives the object.
   Refuges(const Task& task, const search::CostRule& rule, const PlanOptions& options);
 
-  /// The shortest detour among a few poses beside the path that obstacle `passing` goes by. It
-  /// leaves the path before the pose and comes back behind it. None: no pose will do.
+  /// The shortest detour via a few random poses beside the path, where obstacle `passing` can go
+  /// by. It leaves the path before the pose and comes back behind it. None if no pose will do.
   [[nodiscard]] std::optional<Detour> draw(const Path& path, std::size_t passing);
   /// Iterations so far: tries to leave the path or to come back to it.
   [[nodiscard]] std::int64_t iterations() const { return draws_ + connector_.solves(); }

@@ -9,11 +9,11 @@
 
 namespace vandplan::planning {
 
-/// All of them, the default one first, in the order of the documentation.
+/// All planners of the library, the default one first, in the order of the documentation.
 [[nodiscard]] std::vector<Planner> registered_planners();
 
-/// The planners that the default one is compared with: the thesis' trees and others' methods. The
-/// folder `lab` has them, and nothing else of the library uses it.
+/// The planners of the folder `lab`, to compare the default one with: the thesis' trees and others'
+/// methods. Nothing else of the library uses that folder.
 [[nodiscard]] std::vector<Planner> laboratory();
 
 }  // namespace vandplan::planning

@@ -14,31 +14,32 @@
 
 namespace vandplan::planning {
 
-/// Options of a search that an estimate guides.
+/// Names of the options of a search that is guided by an estimate of the cost-to-go.
 inline constexpr std::string_view estimate_key = "estimate";
 inline constexpr std::string_view max_with_key = "max_with";
-/// `PlanOptions::table`, which comes along with them.
+/// Name of `PlanOptions::table`, the table of such an estimate.
 inline constexpr std::string_view table_key = "table";
 
-/// "region": where samples are drawn.
+/// Option "region": sampling region.
 [[nodiscard]] OptionInfo region_option();
 
-/// The region that complete options name.
+/// Sampling region that complete options name.
 [[nodiscard]] Region region_of(const PlanOptions& options);
 
-/// "estimate" and "max_with": what guides a search to the goal, and what it is raised to.
+/// Options "estimate" and "max_with": the estimate that guides a search, and a second one; the
+/// larger value counts.
 [[nodiscard]] std::vector<OptionInfo> estimate_options(std::string_view standard,
                                                        std::string_view max_with = "none");
 
-/// Says in the properties of a planner that takes an estimate which search it is, and which
-/// estimate guides it if nobody asks for another one.
+/// Sets the properties `search` and `estimate` of a planner that takes an estimate: its own name,
+/// and the estimate that guides it by default.
 void name_estimate(Planner& planner);
 
-/// The estimate that complete options name. The task outlives it.
+/// Estimate that complete options name. The task outlives it.
 [[nodiscard]] search::GoalEstimate estimate_of(const PlanOptions& options, const Task& task);
 
-/// A planner with one estimate by name or the larger of two: "hlut-4", "max-hlut-4-bound". None if
-/// there is none of that name, or the planner takes none.
+/// A planner with an estimate by name, or with the larger of two: "hlut-4", "max-hlut-4-bound".
+/// None if the name is unknown or the planner takes no estimate.
 [[nodiscard]] std::optional<Planner> with_estimate(Planner planner, std::string_view estimate);
 
 }  // namespace vandplan::planning

@@ -14,7 +14,7 @@
 namespace vandplan::replanning {
 namespace {
 
-/// A polygon that has shrunk to a point or a line has as many corners as one needs.
+/// Repeats the last corner of a polygon that has shrunk to a point or a line, up to three corners.
 void pad(Polygon& polygon) {
   while (polygon.size() < 3) polygon.push_back(polygon.back());
 }
@@ -32,7 +32,7 @@ void check_cells(const CellPatch& patch, const std::optional<OccupancyGrid>& map
                                          std::to_string(count));
 }
 
-/// Writes cells, and says which have become others: none, or a range that holds them all.
+/// Writes the cells of a patch. Returns a range that holds all changed cells; none if none changed.
 std::optional<CellRange> written(const CellPatch& patch, std::int32_t columns,
                                  std::vector<Cell>& cells) {
   std::int32_t left = patch.columns, right = -1, low = patch.rows, high = -1;
@@ -60,7 +60,8 @@ KnownGround::KnownGround(const World& world) : origin_(world.origin()) {
   for (std::vector<Polygon>* polygons : {&ground.obstacles, &ground.kerbs}) {
     for (Polygon& polygon : *polygons) pad(polygon);
   }
-  // Fences come first, by names that nobody else uses.
+  // Fences come first. Their names count up from the least integer, so they do not clash with
+  // others.
   for (std::size_t i = 0; i < world.fences(); ++i) {
     names_.push_back(std::numeric_limits<std::int64_t>::min() + static_cast<std::int64_t>(i));
   }
@@ -75,7 +76,7 @@ KnownGround::KnownGround(const World& world) : origin_(world.origin()) {
 }
 
 void KnownGround::patch(const WorldPatch& patch) {
-  // 1. What is wrong shows before anything has changed.
+  // 1. Errors are thrown before anything has changed.
   const std::optional<OccupancyGrid>& map = world_->local().map;
   for (std::size_t i = 0; i < patch.cells.size(); ++i) {
     check_cells(patch.cells[i], map, "cells[" + std::to_string(i) + "]");
@@ -105,7 +106,7 @@ void KnownGround::patch(const WorldPatch& patch) {
     names.push_back(name);
     has_changed = true;
   }
-  // 2. From here on nothing fails.
+  // 2. Nothing throws from here on.
   std::vector<CellRange> changed;
   for (const CellPatch& each : patch.cells) {
     if (const auto range = written(each, map->columns, *cells_)) changed.push_back(*range);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What of the ground is known, and how does it change?
+// Which ground is known, and how do patches change it?
 
 #include <cstdint>
 #include <memory>
@@ -12,27 +12,28 @@
 
 namespace vandplan::replanning {
 
-/// The ground of a world, in its frame, with patches.
+/// Ground of a world, in the frame of the world, which patches change.
 class KnownGround {
  public:
-  /// `world` has the whole of the ground, and stays as it is.
+  /// `world` is the ground before all patches; it is copied, not changed.
   explicit KnownGround(const World& world);
 
-  /// Throws InputError naming what of the patch is wrong; nothing has changed then.
+  /// Applies a patch. Throws InputError naming the part of `patch` that is wrong, without any
+  /// change.
   void patch(const WorldPatch& patch);
 
-  /// Changes with patches: whoever has a part of it, such as a checker, must not use it any more.
+  /// Current world. Patches change it in place, so checkers of it must not be used after a patch.
   [[nodiscard]] std::shared_ptr<const World> world() const noexcept { return world_; }
-  /// Of its frame in the frame of patches.
+  /// Origin of the world's frame, in the scenario's frame, which patches use [m].
   [[nodiscard]] const Point& origin() const noexcept { return origin_; }
-  /// Grows with each patch that changes something.
+  /// Number of patches that changed something.
   [[nodiscard]] std::int64_t version() const noexcept { return version_; }
 
  private:
   Point origin_;
-  std::shared_ptr<std::vector<Cell>> cells_;  // of the map of the world, if there is one
-  std::shared_ptr<World> world_;              // that nobody else changes
-  std::vector<std::int64_t> names_;           // of its obstacles
+  std::shared_ptr<std::vector<Cell>> cells_;  // cells of the world's map; null without a map
+  std::shared_ptr<World> world_;              // current world; only this object changes it
+  std::vector<std::int64_t> names_;           // names of the world's obstacles, in their order
   std::int64_t version_ = 0;
 };
 

@@ -23,10 +23,12 @@ namespace {
 using namespace driving;
 using namespace replanning;
 
-constexpr double arrived_enough = 0.02;  // from where the drive ends [m]
-constexpr double correction = 0.1;       // share of a measurement that goes into the estimate
-constexpr double catch_up = 2.0;         // speed for being behind [m/s per m]
-constexpr double turns_standing = 1e-3;  // who is no faster turns his wheels as if he stood [m/s]
+// Largest distance from the end of the drive on arrival [m].
+constexpr double arrived_enough = 0.02;
+constexpr double correction = 0.1;  // weight of a measurement in the estimate of the pose
+// Gain from the distance behind the drive to the speed [m/s per m].
+constexpr double catch_up = 2.0;
+constexpr double turns_standing = 1e-3;  // up to this speed the wheels turn as at standstill [m/s]
 
 const LiveDriveOptions& checked(const LiveDriveOptions& options) {
   const double periods = options.period / control_period;
@@ -72,7 +74,7 @@ ReplanOptions replan_options(const LiveDriveOptions& options) {
   return replan;
 }
 
-/// What was driven, arc by arc.
+/// Driven path with speeds, made of arcs.
 class Track {
  public:
   explicit Track(const Pose& start) { driven_.path.start = start; }
@@ -176,7 +178,7 @@ class LiveDrive {
     strokes_ = strokes_of(local, drive_->speeds);
   }
 
-  /// The actions of this control period.
+  /// Reports the actions of the current control period.
   void act() {
     if (!on_action_ || options_.action_rate == 0.0) return;
     for (; static_cast<double>(acted_) / options_.action_rate < t_ + control_period - 1e-9;
@@ -186,15 +188,15 @@ class LiveDrive {
     }
   }
 
-  /// The stroke on which the drive is after `s` metres; where one ends the next one.
+  /// Index of the stroke at `s` metres of the drive; where two strokes meet, the later one.
   [[nodiscard]] std::size_t stroke_at(double s) const {
-    constexpr double rounding = 1e-6;  // [m]
+    constexpr double rounding = 1e-6;  // rounding error of a place [m]
     std::size_t i = 0;
     while (i + 1 < strokes_.size() && strokes_[i + 1].begin() <= s + rounding) ++i;
     return i;
   }
 
-  /// What to do next: as things will be when that takes effect.
+  /// Next command, for the predicted state at the time when the command takes effect.
   [[nodiscard]] Command decide() {
     State state = state_;
     for (const Command& command : under_way_) state = after_period(state, command, vehicle_);
@@ -205,14 +207,14 @@ class LiveDrive {
     const Stroke& stroke = strokes_[i];
     offset_ = stroke.offset_of(state.pose, wanted.s - stroke.begin());
     const Sight sight{stroke, vehicle_, state, offset_, 0.0};
-    // 1. As fast as the drive is then, and faster the further behind.
+    // 1. Speed of the drive at that time, plus a gain times the distance behind.
     const double behind = wanted.s - stroke.begin() - offset_.place.s - state.v * control_period;
     const double v = std::max(std::abs(wanted.v) + catch_up * behind, 0.0);
     Command command{.steering_angle = wanted.steering_angle,
                     .acceleration = (v - state.v) / control_period,
                     .direction = stroke.direction(),
                     .stroke = i};
-    // 2. Who stands turns his wheels as the drive has it.
+    // 2. At standstill the wheels follow the drive, otherwise the controller.
     if (state.v > turns_standing || wanted.v != 0.0) {
       command.steering_angle = controller_.steering_angle(sight);
     }
@@ -283,7 +285,7 @@ class LiveDrive {
     return std::move(result_);
   }
 
-  /// The goal pose, in the local frame: the end of the planned path where the goal is a set.
+  /// Goal pose in the world's frame; with a set of goals the end of the planned path.
   [[nodiscard]] Pose goal() const {
     if (truth_.goal_set().empty() || !drive_) return truth_.task().goal;
     return to_local(*truth_.world(), end_pose(drive_->path));
@@ -304,12 +306,12 @@ class LiveDrive {
   Track track_;
   std::optional<Sensor> sensor_;
   std::shared_ptr<const TimedPath> drive_;
-  std::vector<Stroke> strokes_;    // of the drive, in the frame of the world
-  std::deque<Command> under_way_;  // that are decided, and not yet executed
-  State state_;                    // with the pose that the vehicle believes to have
-  Pose pose_;                      // the true one
+  std::vector<Stroke> strokes_;    // strokes of the drive, in the world's frame
+  std::deque<Command> under_way_;  // commands that are decided, but not yet executed
+  State state_;                    // state with the estimated pose
+  Pose pose_;                      // true pose, in the world's frame
   Offset offset_;
-  double place_ = 0.0;  // along the drive [m]
+  double place_ = 0.0;  // place along the drive [m]
   double t_ = 0.0;
   std::int64_t acted_ = 0;
   LiveDriveResult result_;

@@ -29,14 +29,14 @@ namespace {
 using namespace replanning;
 
 constexpr std::int64_t first_iterations = 20'000;
-constexpr std::int64_t urgent_share = 3;  // times the iterations of a tick, if there is need
-constexpr double calm_share = 0.3;        // of them, if there is none
+constexpr std::int64_t urgent_share = 3;  // factor of `tick_iterations` if a drive is needed
+constexpr double calm_share = 0.3;        // factor of `tick_iterations` if the drive is good
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr std::array looks = {Look::new_times, Look::from_stop, Look::without_stop, Look::around};
-constexpr double most_speed = 1000.0;                  // that a vehicle may be measured at [m/s]
-constexpr double off_place = 0.5;                      // of the drive: so far is too far [m]
-constexpr double off_speed = 0.5;                      // [m/s]
-constexpr double off_heading = std::numbers::pi / 18;  // [rad]
+constexpr double most_speed = 1000.0;  // largest speed that is accepted as a measurement [m/s]
+constexpr double off_place = 0.5;      // largest distance from the drive [m]
+constexpr double off_speed = 0.5;      // largest error of speed [m/s]
+constexpr double off_heading = std::numbers::pi / 18;  // largest error of heading [rad]
 
 void check_options(const ReplanOptions& options) {
   base::require(options.tick_iterations >= 0, "tick_iterations",
@@ -70,25 +70,25 @@ void check_state(const VehicleState& state, const Pose& goal) {
                 "a number [1/m]");
 }
 
-/// What the judge has seen of a drive and found good; it holds for the rest of it.
+/// Checks that the current drive has passed; they hold for the rest of it.
 struct Judged {
-  bool ground = false;   // it touches nothing that stands, as that is known now
-  bool company = false;  // and nobody, as they are thought to move now
-  bool times = false;    // and keeps the limits of the vehicle
+  bool ground = false;   // the path is free of standing obstacles, as known now
+  bool company = false;  // the drive meets no moving obstacle, as predicted now
+  bool times = false;    // the speeds keep the limits of the vehicle
 
   [[nodiscard]] bool all() const noexcept { return ground && company && times; }
 };
 
-/// What the judge says of a drive.
+/// Verdict of the judge on a drive.
 struct Verdict {
-  std::string fault = {};  // why it is no good; empty if it is
-  double met = infinite;   // when somebody is met, if that is why [s]
+  std::string fault = {};  // first fault of the drive; empty if there is none
+  double met = infinite;   // time of the meeting, if the fault is a moving obstacle [s]
 
   [[nodiscard]] bool is_good() const noexcept { return fault.empty(); }
 };
 
 Verdict verdict_of(DriveCheck check) {
-  // No clearance is known where the times were found wrong before anybody was looked at.
+  // `clearance` is empty if the check of speeds failed before moving obstacles were checked.
   const double met = check.clearance ? check.t.value_or(infinite) : infinite;
   return {std::move(check.reason), met};
 }
@@ -183,7 +183,7 @@ class Replanner::Impl {
             stream_seed(options_.plan.budget.seed, static_cast<std::uint64_t>(ticks_))};
   }
 
-  /// To be judged: the rest of a drive among what moves from now on.
+  /// Problem for the judge: the rest of a drive among the moving obstacles from now on.
   [[nodiscard]] Problem problem_of(const CutDrive& rest, bool reaches_goal) const {
     const double sharpest = 1.0 / scene_.vehicle.min_turning_radius;
     const Path& path = rest.drive.path;
@@ -198,7 +198,7 @@ class Replanner::Impl {
         scene_.moving);
   }
 
-  /// Of a drive that begins now.
+  /// Verdict on a drive that begins now.
   [[nodiscard]] Verdict judged(const CutDrive& rest, bool reaches_goal, double margin) const {
     const Problem problem = problem_of(rest, reaches_goal);
     ClearanceOptions clearance = options_.plan.clearance;
@@ -213,7 +213,7 @@ class Replanner::Impl {
     return judged({way.drive, now}, way.reaches_goal, margin);
   }
 
-  /// Of what is left of the drive. What the judge has seen he need not see again.
+  /// Verdict on the rest of the current drive. Checks that still hold are skipped.
   [[nodiscard]] Verdict judged_again(const CutDrive& rest) const {
     if (judged_.all()) return {};
     if (!judged_.times) return judged(rest, answer_.reaches_goal, margin());
@@ -226,7 +226,7 @@ class Replanner::Impl {
     return verdict_of(check_company(problem, rest.drive, {margin()}));
   }
 
-  /// When a drive that begins now meets what moves [s]; 0 where it hits what stands.
+  /// Time of the first meeting on a drive that begins now [s]; 0 if its path hits an obstacle.
   [[nodiscard]] double met_at(const CutDrive& rest, bool reaches_goal) const {
     const Problem problem = problem_of(rest, reaches_goal);
     if (!check_path(problem, rest.drive.path).valid) return 0.0;
@@ -250,7 +250,7 @@ class Replanner::Impl {
          .reason = way.reaches_goal ? "" : reason_of_no_way()});
   }
 
-  /// Why the drive ends on the way.
+  /// Reason why the drive does not reach the goal.
   [[nodiscard]] std::string reason_of_no_way() const {
     if (!scene_.goal_set.empty()) return "no drive to any of the goals was found";
     const Problem problem = make_problem(scene_.world, scene_.vehicle, scene_.goal, scene_.goal);
@@ -275,7 +275,7 @@ class Replanner::Impl {
 
   [[nodiscard]] double margin() const { return options_.plan.clearance.margin; }
 
-  /// The vehicle is not where the last answer has it: what it could do without looking.
+  /// Replaces the drive by unchecked braking if the vehicle is too far from the planned state.
   void catch_up(double t, const VehicleState& state) {
     const Motion planned =
         motion_at(answer_.drive->path, scene_.vehicle, answer_.drive->speeds, t - answer_.begin);
@@ -314,10 +314,11 @@ class Replanner::Impl {
     stop_or_brake(t, rest);
   }
 
-  /// Looks for other drives one after the other until enough is done for one tick; the next tick
-  /// goes on from there. What was committed is given up last, and at once if it cannot be kept.
+  /// Searches other drives, one look after another, until the work of a tick is used up. The next
+  /// tick goes on with the next look. The first round of looks keeps the committed seconds, unless
+  /// an obstacle is met within them. The second round drops them.
   bool look_on(double t, const CutDrive& rest, const Verdict& verdict) {
-    if (verdict.met <= 0.0) return false;  // so is every other drive
+    if (verdict.met <= 0.0) return false;  // every drive meets that obstacle at once
     Ways ways(scene_, options_.plan);
     const bool stands = rest.drive.speeds.duration == 0.0;
     const double committed = stands || verdict.met < options_.committed ? 0.0 : options_.committed;
@@ -342,12 +343,12 @@ class Replanner::Impl {
                       .most = found.empty() ? infinite : found.back().cost};
       auto way = ways.to_goal(look, rest, wish, each);
       if (way && way->cost < wish.most) found.push_back(*std::move(way));
-      if (!found.empty() && look == Look::new_times) break;  // the way stays
+      if (!found.empty() && look == Look::new_times) break;  // new speeds on the path suffice
     }
     return take_cheapest(t, found, rest.begin);
   }
 
-  /// Takes the last one that the judge accepts; the others are gone.
+  /// Takes the last candidate that the judge accepts, and removes the later ones.
   bool take_cheapest(double t, std::vector<Way>& found, const Motion& now) {
     for (; !found.empty(); found.pop_back()) {
       if (!judged(found.back(), now, margin()).is_good()) continue;
@@ -357,7 +358,7 @@ class Replanner::Impl {
     return false;
   }
 
-  /// The old way stays unless another one is better by so much.
+  /// Takes another drive if it is cheaper by the share `better`; otherwise keeps the current one.
   void improve(double t, const CutDrive& rest) {
     if (options_.tick_iterations == 0 || rest.drive.speeds.duration <= 2 * options_.committed) {
       return keep();
@@ -367,7 +368,7 @@ class Replanner::Impl {
               .rest_reaches_goal = true,
               .most = ways.cost_of(rest.drive) * (1 - options_.better)};
     const Look not_now = ticks_ % 2 == 0 ? Look::from_stop : Look::without_stop;
-    // There is time to look at whole drives: fewer of them, as each trial costs more.
+    // The current drive is good, so there is time for whole drives: fewer iterations, each dearer.
     Effort calm = effort(static_cast<std::int64_t>(
         std::ceil(calm_share * static_cast<double>(options_.tick_iterations))));
     calm.whole_drive = true;
@@ -404,7 +405,8 @@ class Replanner::Impl {
       }
       if (margin() == 0.0) break;
     }
-    // Whoever goes on and is met later may hear better news until then.
+    // Driving on is better if it meets an obstacle later than braking: predictions may change until
+    // then.
     Way braking = ways.braking(rest);
     if (met_at(rest, answer_.reaches_goal) > met_at({braking.drive, rest.begin}, false)) {
       answer_.outcome = out_.outcome = TickOutcome::none;
@@ -421,15 +423,15 @@ class Replanner::Impl {
   Problem problem_;
   KnownGround ground_;
   Scene scene_;
-  std::vector<MovingObstacle> moving_;  // with times of the clock
-  ReplanAnswer answer_;                 // in the frame of the ground
-  ReplanAnswer out_;                    // in the frame of the scenario
+  std::vector<MovingObstacle> moving_;  // moving obstacles, with times of the clock
+  ReplanAnswer answer_;                 // answer of the last tick, in the frame of the ground
+  ReplanAnswer out_;                    // answer of the last tick, in the scenario's frame
   std::int64_t ground_version_ = 0;
   std::int64_t ticks_ = 0;
-  double last_t_ = -infinite;  // of the last tick [s]
-  std::size_t next_look_ = 0;  // of those for a drive that is needed
-  Judged judged_;              // of the answer, by the judge
-  bool has_news_ = false;      // of ground or movers since the last tick
+  double last_t_ = -infinite;  // time of the last tick [s]
+  std::size_t next_look_ = 0;  // index of the next look while a new drive is needed
+  Judged judged_;              // checks that the answer's drive has passed
+  bool has_news_ = false;      // whether ground or moving obstacles changed since the last tick
 };
 
 Replanner::Replanner(const Scenario& scenario, const ReplanOptions& options)

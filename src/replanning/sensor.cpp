@@ -14,10 +14,10 @@ namespace vandplan::replanning {
 namespace {
 
 constexpr int rays = 720;
-constexpr double slowest = 0.01;       // that counts as moving [m/s]
-constexpr double measured_over = 0.1;  // a velocity is [s]
+constexpr double slowest = 0.01;       // least speed that counts as moving [m/s]
+constexpr double measured_over = 0.1;  // time over which a velocity is measured [s]
 
-/// How far along the ray a side is; infinite if it does not cross it [m].
+/// Distance along a ray to a side of a polygon [m]; infinite if they do not cross.
 double crossing(const Point& from, const Point& along, const Point& a, const Point& b) {
   constexpr double never = std::numeric_limits<double>::infinity();
   const double sx = b.x - a.x;
@@ -83,7 +83,7 @@ void Sensor::mark(std::int32_t column, std::int32_t row) {
   last_row_ = std::max(last_row_, row);
 }
 
-/// Marks the cells along a ray; how far it comes [m].
+/// Marks the cells along a ray as seen. Returns how far the ray gets [m].
 double Sensor::mark_cells(const Ray& ray) {
   if (!scenario_.map) return range_;
   const OccupancyGrid& map = *scenario_.map;
@@ -94,7 +94,7 @@ double Sensor::mark_cells(const Ray& ray) {
   const Point at{(dx * cos + dy * sin) / side, (dy * cos - dx * sin) / side};
   const Point way{(ray.along.x * cos + ray.along.y * sin), (ray.along.y * cos - ray.along.x * sin)};
   constexpr double never = std::numeric_limits<double>::infinity();
-  // From one side of a cell to the next [cells].
+  // Distances along the ray from one side of a cell to the next [cells].
   auto column = static_cast<std::int32_t>(std::floor(at.x));
   auto row = static_cast<std::int32_t>(std::floor(at.y));
   const double per_column = way.x != 0.0 ? std::abs(1 / way.x) : never;
@@ -178,7 +178,7 @@ std::vector<MovingObstacle> predicted(const std::vector<MovingObstacle>& moving,
         now && (!options.sensor_range ||
                 std::hypot(now->x - pose.x, now->y - pose.y) <= *options.sensor_range);
     if (options.prediction == Prediction::known) {
-      // Who has left is kept: what is known of all does not change then.
+      // Obstacles that have left are kept, so that the prediction stays equal from tick to tick.
       if (is_near || (!options.sensor_range)) seen.push_back(obstacle);
     } else if (is_near) {
       seen.push_back(going_on(obstacle, *now, t, options.horizon));

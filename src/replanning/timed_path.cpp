@@ -8,17 +8,17 @@
 namespace vandplan::replanning {
 namespace {
 
-constexpr double least_length = 1e-9;  // of a segment [m]
-constexpr double least_time = 1e-9;    // between knots [s]
+constexpr double least_length = 1e-9;  // least length of a segment [m]
+constexpr double least_time = 1e-9;    // least time between two knots [s]
 
-/// The knot that is in force at a time: the last one that is not later.
+/// Index of the last knot that is not later than `t`.
 std::size_t knot_at(const SpeedProfile& speeds, double t) {
   const auto later = std::ranges::upper_bound(speeds.knots, t, {}, &SpeedKnot::t);
   const auto i = later - speeds.knots.begin();
   return static_cast<std::size_t>(std::max<std::ptrdiff_t>(i - 1, 0));
 }
 
-/// How the vehicle moves `d` seconds after a knot.
+/// State of the motion `d` seconds after a knot.
 SpeedKnot advanced(const SpeedKnot& knot, double d) {
   SpeedKnot now = knot;
   now.t += d;

@@ -1,32 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How is a drive cut in two, and put together from two?
+// How is a drive cut in two, and how are two drives joined?
 
 #include "vandplan/moving.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan::replanning {
 
-/// A drive that has no end and no begin of its own.
+/// Part of a drive, which may begin in motion.
 struct CutDrive {
   TimedPath drive;
-  Motion begin;  ///< how it begins
+  Motion begin;  ///< state at the begin of the drive
 };
 
-/// What is left of a drive at time `t` [s], clamped to it.
+/// Rest of a drive from time `t` on [s]; `t` is clamped to the drive.
 [[nodiscard]] CutDrive rest_of(const TimedPath& drive, const Vehicle& vehicle, double t);
 
-/// What of a drive comes before time `t` [s], clamped to it: it need not end in a standstill.
+/// Part of a drive before time `t` [s], which is clamped to the drive. It may end in motion.
 [[nodiscard]] TimedPath before(const TimedPath& drive, const Vehicle& vehicle, double t);
 
-/// One drive after the other.
+/// Drive `first`, followed by drive `then`.
 [[nodiscard]] TimedPath joined(const TimedPath& first, const TimedPath& then);
 
-/// The segments from `begin` to `end` metres of a path.
+/// Segments of the part of a path from `begin` to `end` [m].
 [[nodiscard]] std::vector<Segment> cut(std::span<const Segment> segments, double begin, double end);
 
-/// Standing where a path begins.
+/// Drive of no duration that stands at `pose`.
 [[nodiscard]] TimedPath standing_at(const Pose& pose);
 
 }  // namespace vandplan::replanning

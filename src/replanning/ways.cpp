@@ -17,12 +17,12 @@ namespace vandplan::replanning {
 namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
-constexpr double stands = 1e-6;         // is no faster [m/s]
-constexpr double shortest_stop = 1e-3;  // of a way to a standstill [m]
+constexpr double stands = 1e-6;         // up to this speed a vehicle counts as standing [m/s]
+constexpr double shortest_stop = 1e-3;  // least length of a path to a stop [m]
 
 double speed_of(const Motion& motion) { return std::abs(motion.v); }
 
-/// A speed, or 0 for what stands.
+/// The speed, or 0 if it counts as standing.
 double standing_or(double speed) { return speed > stands ? speed : 0.0; }
 
 double largest_growth(std::span<const MovingObstacle> moving) {
@@ -67,14 +67,15 @@ double Ways::cost_of(const TimedPath& drive) const {
   return search::drive_cost(rule, drive.path.segments, driven) + in_time::time_price * time;
 }
 
-/// Times for a path that begins `t` seconds from now.
+/// Speeds for a path that the vehicle begins `t` seconds from now; none if none are found.
 std::optional<TimedPath> Ways::timed(const Path& path, const Motion& begin, double t, double margin,
                                      const Effort& effort, double longest) {
   const double speed = standing_or(speed_of(begin));
   if (speed > 0.0 && !begins_in_gear(path.segments, begin.direction)) return std::nullopt;
   const std::vector<MovingObstacle> moving = later(scene_.moving, t);
   const moving::Traffic traffic{.moving = moving,
-                                // What grows has grown until then.
+                                // `later` drops the growth of outlines before time t, so the margin
+                                // contains it.
                                 .margin = margin + t * largest_growth(moving),
                                 .start_curvature = begin.curvature,
                                 .start_speed = speed,
@@ -86,8 +87,8 @@ std::optional<TimedPath> Ways::timed(const Path& path, const Motion& begin, doub
   return TimedPath{path, *std::move(yielding.speeds)};
 }
 
-/// What the planner drives from standing at a pose, `t` seconds from now; none if it finds none.
-/// Nobody has judged it: whoever takes a drive lets the judge see the whole of it.
+/// Path of the planner from standstill at a pose, `t` seconds from now; none if it finds none. The
+/// path is not judged: callers have the whole drive judged before they take it.
 std::optional<std::vector<Segment>> Ways::segments_to_goal(const Pose& pose, double curvature,
                                                            double t, const PlanOptions& options,
                                                            bool whole_drive) {
@@ -109,7 +110,7 @@ std::optional<std::vector<Segment>> Ways::segments_to_goal(const Pose& pose, dou
     work_.iterations += answer.iterations;
     return std::move(answer.segments);
   } catch (const InputError&) {
-    // Whoever is off by more than a planner accepts finds no way from there.
+    // A pose with a larger error than planners accept has no path.
   }
   return std::nullopt;
 }
@@ -129,7 +130,7 @@ std::optional<Way> Ways::from_standing(const Pose& pose, double curvature, const
   return way;
 }
 
-/// The path that a look at time `t` from now finds from there.
+/// Path that a look finds for a vehicle that begins it `t` seconds from now.
 std::optional<Path> Ways::path_of(Look look, const CutDrive& from, double t, const Effort& effort) {
   const Motion& begin = from.begin;
   if (look == Look::new_times) return from.drive.path;
@@ -143,7 +144,7 @@ std::optional<Path> Ways::path_of(Look look, const CutDrive& from, double t, con
   double curvature = begin.curvature;
   double begins_at = -1.0;
   if (look == Look::without_stop) {
-    // The wheels go on as they are.
+    // The path continues the current curvature and gear.
     if (speed <= stands) return std::nullopt;
     options.steering = Steering::continuous;
     options.cost.initial_gear = begin.direction < 0 ? InitialGear::reverse : InitialGear::forward;
@@ -173,7 +174,7 @@ std::optional<Way> Ways::to_goal(Look look, const CutDrive& rest, const Wish& wi
   const CutDrive after = rest_of(rest.drive, scene_.vehicle, t);
   const std::optional<Path> tail = path_of(look, after, t, effort);
   if (!tail) return std::nullopt;
-  // No times make it cheaper than the fastest ones.
+  // The fastest speeds give a lower bound of the cost.
   const Motion& begin = after.begin;
   const auto fastest =
       speed::profile_from(*tail, scene_.planned, {begin.curvature, standing_or(speed_of(begin))});
@@ -208,7 +209,8 @@ Way Ways::braking(const CutDrive& rest) const {
   const double speed = speed_of(rest.begin);
   Way way{standing_at(rest.begin.pose), TickOutcome::none};
   if (speed <= stands) return way;
-  // As hard as the vehicle can, on its path, or on as its wheels are where that is too short.
+  // The vehicle brakes as hard as it can along its path. If the path is too short, it goes on with
+  // the current curvature.
   const DrivingLimits& limits = scene_.vehicle.limits;
   const double braking = limits.max_braking.value_or(limits.max_acceleration);
   const double far = speed * speed / (2 * braking);

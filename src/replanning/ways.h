@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which drives could follow on the one that is under way?
+// Which drives could replace the rest of the current drive?
 //
 // All drives begin now, in the frame of the known ground.
 
@@ -15,79 +15,82 @@
 
 namespace vandplan::replanning {
 
-/// What ways are looked for in.
+/// World, vehicle, goal and moving obstacles for which drives are searched.
 struct Scene {
   std::shared_ptr<const World> world;
-  Vehicle vehicle;  ///< as it is
-  Vehicle planned;  ///< with the limits that planned speeds keep
+  Vehicle vehicle;  ///< vehicle with its own limits
+  Vehicle planned;  ///< vehicle with the limits of planned speeds, which leave a reserve
   Pose goal;
   double goal_curvature = 0.0;
-  std::vector<GoalRegion> goal_set = {};    ///< instead of `goal`; empty if that is the only one
-  std::vector<MovingObstacle> moving = {};  ///< times count from now
+  /// Goals that replace `goal`; empty if `goal` is the only one.
+  std::vector<GoalRegion> goal_set = {};
+  std::vector<MovingObstacle> moving = {};  ///< moving obstacles; time 0 is now
 };
 
-/// How much work a look may be: of planners, and of searches for times.
+/// Largest work of a look: iterations of planners, and states of searches for speeds.
 struct Effort {
   std::int64_t iterations = 0;
   std::int64_t states = 0;
   std::uint64_t seed = 1;
-  bool whole_drive = false;  ///< planners look for cheap drives, not paths: a trial costs more
+  bool whole_drive = false;  ///< planners search cheap drives, not paths: slower per iteration
 };
 
-/// How much was done.
+/// Work that was done: iterations of planners, and states of searches for speeds.
 struct Work {
   std::int64_t iterations = 0;
   std::int64_t states = 0;
 };
 
-/// Where other drives to the goal are looked for.
+/// Kind of search for another drive to the goal.
 enum class Look : std::uint8_t {
-  new_times,     ///< along the same path
-  from_stop,     ///< on another path, from where the vehicle can stand first
-  without_stop,  ///< on another path, wheels as they are
-  around,        ///< on a path around those who are in the way
+  new_times,     ///< new speeds along the same path
+  from_stop,     ///< another path, from the first place where the vehicle can stop
+  without_stop,  ///< another path, from the current motion, without a stop
+  around,        ///< a path around moving obstacles
 };
 
-/// A drive that may be taken.
+/// Candidate that may replace the rest of the current drive.
 struct Way {
   TimedPath drive;
   TickOutcome outcome = TickOutcome::none;
   bool reaches_goal = false;
-  double cost = 0.0;  ///< [m], or [s] where the cost is the time
+  double cost = 0.0;  ///< cost of the drive [m]; with `cost=time` its duration [s]
 };
 
-/// Which ways to the goal are wanted.
+/// Requirements of a new drive to the goal.
 struct Wish {
-  double committed = 0.0;                                 ///< so long they are the same [s]
-  bool rest_reaches_goal = false;                         ///< what is under way does
-  double most = std::numeric_limits<double>::infinity();  ///< only what costs less
+  double committed = 0.0;          ///< time that the new drive shares with the current one [s]
+  bool rest_reaches_goal = false;  ///< whether the current drive reaches the goal
+  /// Upper bound of the cost; dearer drives are dropped.
+  double most = std::numeric_limits<double>::infinity();
 };
 
 class Ways {
  public:
   Ways(const Scene& scene, const PlanOptions& options) : scene_(scene), options_(options) {}
 
-  static constexpr int stops = 6;  ///< that are looked at along a way
+  static constexpr int stops = 6;  ///< number of places along a path where a stop is tried
 
-  /// From standing at a pose to the goal.
+  /// Drive from standstill at a pose to the goal; none if none is found.
   [[nodiscard]] std::optional<Way> from_standing(const Pose& pose, double curvature,
                                                  const Effort& effort);
 
-  /// To the goal, the same as `rest` for the committed seconds, if a look finds one.
+  /// Drive to the goal that equals `rest` for the committed seconds; none if the look finds none.
   [[nodiscard]] std::optional<Way> to_goal(Look look, const CutDrive& rest, const Wish& wish,
                                            const Effort& effort);
 
-  /// To the i-th standstill on the way of `rest`, of `stops`, the nearest first.
+  /// Drive along `rest` to the i-th place of `stops` where it may stop, the nearest first.
   [[nodiscard]] std::optional<Way> to_stop(int i, const CutDrive& rest, double margin,
                                            const Effort& effort);
 
-  /// Braking at once, as hard as it may be.
+  /// Drive that brakes at once, as hard as the vehicle can.
   [[nodiscard]] Way braking(const CutDrive& rest) const;
 
-  /// What a drive costs that begins in a gear: length at its price, and time.
+  /// Cost of a drive: price of its path plus price of its duration [m], or with `cost=time` its
+  /// duration [s].
   [[nodiscard]] double cost_of(const TimedPath& drive) const;
 
-  /// All that was done to find ways.
+  /// Sum of the work of all calls.
   [[nodiscard]] const Work& work() const noexcept { return work_; }
 
  private:
@@ -106,11 +109,11 @@ class Ways {
   Work work_;
 };
 
-/// The problem from a pose to the goal of a scene, or to its set of goals, where nothing moves.
+/// Problem from a pose to the goals of a scene, without moving obstacles.
 [[nodiscard]] Problem problem_from(const Scene& scene, const Vehicle& vehicle, const Pose& pose,
                                    double curvature);
 
-/// What moves, seen so many seconds later.
+/// Moving obstacles with the clock set forward by `t` seconds: time `t` becomes 0.
 [[nodiscard]] std::vector<MovingObstacle> later(std::vector<MovingObstacle> moving, double t);
 
 }  // namespace vandplan::replanning

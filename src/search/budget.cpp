@@ -9,7 +9,7 @@
 namespace vandplan::search {
 namespace {
 
-// Processor time of the calling thread since it began.
+// Processor time of the calling thread since the thread began.
 std::chrono::nanoseconds processor_clock() {
   timespec now = {};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -59,7 +59,7 @@ bool Budget::is_interrupted() const {
 }
 
 // Reading the processor clock takes fifty times as long as reading the wall clock. A thread gets at
-// most one second of processor time a second, so what is left says when to read it next.
+// most one second of processor time a second, so the time left says when to read it next.
 bool Budget::is_late() const {
   if (!time_limit_) return false;
   const double now = seconds(std::chrono::steady_clock::now() - begin_);

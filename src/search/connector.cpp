@@ -15,16 +15,16 @@
 namespace vandplan::search {
 namespace {
 
-constexpr double least_worth = 1e-6;  // what a segment less may cost [m]
-constexpr double nothing = 1e-12;     // of a segment that is cut [m]
+constexpr double least_worth = 1e-6;  // Cost that is accepted for one segment less [m].
+constexpr double nothing = 1e-12;     // Length up to which a cut segment is dropped [m].
 
 void append(Piece& piece, const Segment& segment) {
   piece.segments[piece.count++] = segment;
   piece.length += std::abs(segment.length);
 }
 
-/// Whether the wheels would be turned at a stop before or after so short a stroke that cutting the
-/// piece may leave it out.
+/// Whether a piece has a segment so short that cutting the piece would drop it. The wheels would be
+/// turned at a stop beside it.
 bool holds_crumb(const Piece& piece) {
   return std::ranges::any_of(piece.view(),
                              [](const Segment& s) { return std::abs(s.length) <= nothing; });
@@ -56,8 +56,8 @@ std::optional<ContinuousSteering> continuous_steering(const Task& task) {
       task.steering == Steering::continuous ? Continuity::throughout : Continuity::between_stops);
 }
 
-/// Calls `visit(s, is_straight)` with the places where the wheels are straight or the gear changes
-/// [m]: of a line with the one that is nearest to `wanted`.
+/// Calls `visit(s, is_straight)` for places `s` [m] where the wheels are straight or the gear
+/// changes. On a line these are its ends and the place nearest to `wanted`.
 template <typename Visit>
 void for_cuts(const Piece& piece, double wanted, double radius, Visit visit) {
   double s = 0.0;
@@ -135,7 +135,7 @@ bool Connector::may_jump(const Driven& before, const Driven& after) const {
           (before.gear == 0 || std::isnan(before.curvature) || before.gear == -after.gear));
 }
 
-// Ends where a vehicle stands first: no piece is shorter than one that begins and ends so.
+// Standing ends come first, since no piece is shorter than one that begins and ends standing.
 void Connector::find_ends(const LocalPose& pose, const Driven& beside,
                           std::vector<End>& ends) const {
   ends.clear();
@@ -151,7 +151,7 @@ void Connector::find_ends(const LocalPose& pose, const Driven& beside,
   if (between_stops && may_change) ends.push_back({true, 0.0, -beside.gear});
   const bool is_straight = !is_known || std::abs(beside.curvature) * radius_ < straight_wheels;
   if (!is_straight) return;
-  // In the other gear the one that stands is no dearer.
+  // In the other gear the standing end costs no more, so that gear is left out.
   const bool is_one_gear = !ends.empty() && !rule_.is_length();
   ends.push_back({false, 0.0, is_one_gear ? beside.gear : 0});
 }
@@ -191,7 +191,8 @@ std::optional<Piece> Connector::continuous_piece(const LocalPose& from, const Lo
     }
     return best;
   }
-  for (const int changes : changes_of(rule_)) {  // each one more has to be worth its price
+  // Each further gear change has to be worth its price.
+  for (const int changes : changes_of(rule_)) {
     if (shortest + changes * rule_.gear_change_cost >= least) break;
     const steering::WantedContinuous wanted{changes,
                                             least,
@@ -209,12 +210,12 @@ std::optional<Piece> Connector::continuous_piece(const LocalPose& from, const Lo
   return best;
 }
 
-// Among all words, those with the fewest gear changes first: each one more has to be worth its
-// price, and most of them are not. Where costs are equal, the fewest segments.
+// Cheapest of all words; of equal costs the one with fewest segments. Words with few gear changes
+// are tried first, as each change has to be worth its price and most are not.
 Piece Connector::cheapest_word(const LocalPose& from, const LocalPose& to, const Gears& gears,
                                const Piece& shortest, double cutoff) {
-  // The piece to the goal is the last one: nothing is added to where it ends. Wide arcs seldom fit
-  // between obstacles, and would hide the words that do.
+  // The piece to the goal is the last one, so nothing is added at its end. Wide arcs seldom fit
+  // between obstacles, and would hide words that fit.
   const bool is_last = to == task_.goal;
   const steering::Closing& closing = is_last ? steering::at_goal : steering::on_the_way;
   Piece best = shortest;

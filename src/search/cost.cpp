@@ -12,29 +12,31 @@
 namespace vandplan::search {
 namespace {
 
-// Looks for each `clearance_distance`. The rule of midpoints, which the search has, is off by 1/8
-// of the square of a step where the clearance gets to the distance or has a kink, and by less
-// elsewhere. For the answer there are more looks where two rules disagree by more than `agreement`,
-// of the cost of a metre.
+// Samples of the clearance for each `clearance_distance`. The search uses the midpoint rule. Its
+// error is 1/8 of the squared step where the clearance reaches the distance or has a kink, and less
+// elsewhere. The answer takes more samples where two rules differ by more than `agreement` [of the
+// cost of a metre].
 constexpr double looks_of_search = 2;
 constexpr double fewest_looks_of_answer = 8;
 constexpr double most_looks_of_answer = 64;
 constexpr double agreement = 1e-4;
-constexpr double most_looks_of_search_at_path = 2e4;  // of any length
+constexpr double most_looks_of_search_at_path = 2e4;  // Samples of a path, whatever its length.
 constexpr double most_looks_of_answer_at_path = 1e6;
-// Where both rules are wrong by as much at a kink they agree: the less, the shorter the parts are.
+// At a kink both rules can be equally wrong and agree. The error shrinks with the parts.
 constexpr double fewest_looks_of_answer_at_path = 256;
-// Points of a body that is long for its turning radius move faster than that and need more looks.
+// Metres that a point of the body usually moves for each metre driven. Bodies long for their
+// turning radius move faster and need more samples.
 constexpr double usual_swing = 3;
-constexpr double looks_ahead = 4;  // that one look may save at first, and twice as many if it does
+// Steps that one sample may skip at first; doubled as long as nothing is near.
+constexpr double looks_ahead = 4;
 
-/// The furthest point of the body from its rear axle [m].
+/// Largest distance of a point of the body from the rear axle [m].
 double reach_of(const Vehicle& vehicle) {
   const Footprint body = footprint(vehicle);
   return std::hypot(std::max(body.front, body.rear), body.half_width);
 }
 
-/// What is looked at along a segment: the vehicle, with its trailer if it has one.
+/// Vehicle, with its trailer if any, on a segment where clearances are sampled.
 struct Looked {
   const Task& task;
   const RigState& from;
@@ -48,7 +50,7 @@ struct Looked {
     return checker.rig_clearance(Local(advance(task.vehicle, from, part)), most, enough);
   }
 
-  /// How fast any point of the bodies moves, for each metre driven.
+  /// Largest distance that a point of the bodies moves for each metre driven [m].
   [[nodiscard]] double swing() const {
     const double length = std::abs(segment.length);
     const double tightest =
@@ -64,15 +66,14 @@ struct Looked {
   }
 };
 
-/// How far the axle drives from one look to the next [m].
+/// Distances from one sample to the next along the path [m].
 struct LookSteps {
   double usual;
-  double least;  ///< so that a long path does not take too many
+  double least;  ///< Keeps the number of samples on a long path small.
 };
 
-/// Looks along a segment, each farther on than the one before: a vehicle without a trailer goes
-/// from place to place by an arc with the mean curvature where that is off by less than a
-/// millimetre.
+/// Clearances along a segment, at increasing places. A vehicle without a trailer is moved by an arc
+/// of the mean curvature if that is off by less than a millimetre.
 class Steps {
  public:
   explicit Steps(const Looked& looked) : looked_(looked), pose_(Local(looked.from.pose)) {}
@@ -89,21 +90,21 @@ class Steps {
   }
 
  private:
-  static constexpr double most_off = 1e-3;  // [m]
+  static constexpr double most_off = 1e-3;  // Largest error of a pose [m].
 
   const Looked& looked_;
   LocalPose pose_;
   double driven_ = 0.0;
 };
 
-/// The integral of 1 - clearance / distance along a segment where that is above 0 [m].
+/// Integral of max(0, 1 - clearance / distance) along a segment, by the midpoint rule [m].
 double nearness(const Looked& looked, double distance, const LookSteps& steps, double most) {
   const double length = std::abs(looked.segment.length);
   const double swing = looked.swing();
   const double step = std::max(steps.least, steps.usual / std::max(1.0, swing / usual_swing));
   const double count = std::ceil(length / step);
   const double h = length / count;
-  const double moved = swing * h;  // any point of the body, from look to look
+  const double moved = swing * h;  // Largest move of a point of the body between samples [m].
   double sum = 0.0;
   double ahead = looks_ahead;
   Steps along(looked);
@@ -121,10 +122,10 @@ double nearness(const Looked& looked, double distance, const LookSteps& steps, d
   return sum;
 }
 
-/// The same for the answer.
+/// Integral of max(0, 1 - clearance / distance) along a segment, with the answer's accuracy [m].
 class ExactNearness {
  public:
-  /// Parts are at most `most` metres long, and are halved while they disagree by more than
+  /// Parts are at most `most` metres long. They are halved while two rules differ by more than
   /// `tolerance` in the mean.
   ExactNearness(const Looked& looked, double distance, double most, double tolerance)
       : looked_(looked),
@@ -141,7 +142,7 @@ class ExactNearness {
     for (double s = 0.0; s < length;) {
       const double farthest = distance_ + swing * ahead;
       const double clearance = looked_.clearance(s, farthest, distance_);
-      const double nothing = (clearance - distance_) / swing;  // that far there is nothing to add
+      const double nothing = (clearance - distance_) / swing;  // Nothing is near for this distance.
       ahead = clearance < farthest ? looks_ahead * most_ : 2 * ahead;
       if (nothing >= most_) {
         s += nothing;
@@ -159,7 +160,8 @@ class ExactNearness {
     return std::max(0.0, 1 - looked_.clearance(s, distance_, distance_) / distance_);
   }
 
-  /// From what is at both ends and in the middle: three parabolas that agree (Simpson's rule).
+  /// Integral over a part, by three parabolas that agree (Simpson's rule). `values`: at begin,
+  /// middle and end.
   [[nodiscard]] double part(double begin, double end, const std::array<double, 3>& values) const {
     const auto [first, middle, last] = values;
     const double quarter = (end - begin) / 4;

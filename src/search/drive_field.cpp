@@ -11,12 +11,13 @@
 namespace vandplan::search {
 namespace {
 
-constexpr double straight_cells = 1.5;  // length of a straight step: it leaves its cell
-constexpr double bucket = 0.02;         // of ranks [turning radii]
+// Length of a straight step [cells]; long enough to leave its cell.
+constexpr double straight_cells = 1.5;
+constexpr double bucket = 0.02;  // Range of ranks in a bucket [turning radii].
 constexpr double most_buckets = 8192.0;
-constexpr float sure_steps = 0.3F;     // of room and length of a step: nothing is in its way
-constexpr float sure_fineness = 4.0F;  // of the room
-constexpr float patience = 2.0F;       // buckets
+constexpr float sure_steps = 0.3F;     // Clearance above which a step is free [step lengths].
+constexpr float sure_fineness = 4.0F;  // Added to that clearance [errors of the room].
+constexpr float patience = 2.0F;  // Increase of a rank after which a node waits again [buckets].
 constexpr float unasked = -1.0F;
 
 }  // namespace
@@ -99,7 +100,7 @@ Segment DriveField::step_to(const Node& node) const {
   return {node.side / connector_.radius(), node.gear * length};
 }
 
-/// -1 outside of the box.
+/// Index of the cell of a point; -1 outside the box.
 std::int64_t DriveField::cell_of(float x, float y) const noexcept {
   const float column = (x - x_min_) * cells_of_metre_;
   const float row = (y - y_min_) * cells_of_metre_;
@@ -122,7 +123,7 @@ DriveField::Onward DriveField::onward(const DriveField& other, const Node& node)
   for (const int gear : {1, -1}) {
     const State& state = states_[state_of(cell, heading, gear)];
     if (state.node == none) continue;
-    const bool changes = node.gear == gear;  // it is driven the other way
+    const bool changes = node.gear == gear;  // The field's node is driven in the opposite gear.
     const float cost = state.cost + (changes ? gear_change_ : 0.0F);
     if (cost < best.cost) best = {state.node, cost};
   }
@@ -167,16 +168,16 @@ float DriveField::room_at(const Node& node) noexcept {
   return room_.clearance(node.x, node.y, cos_[heading], sin_[heading]);
 }
 
-/// What being near things adds to a metre.
+/// Cost that small clearance adds to a metre.
 float DriveField::near_at(float room) const noexcept {
   return clearance_weight_ * std::max(0.0F, 1.0F - std::max(room, 0.0F) * clearances_of_metre_);
 }
 
-/// Whether the step to a node is open; adds what being near things costs on it.
+/// Whether the step to a node is free. Adds the cost of small clearance to the node and its rank.
 bool DriveField::enter(Node& node, float& rank) {
   const Node& parent = this->node(node.parent);
   const float room = room_at(node);
-  if (room < -room_.fineness()) return false;  // there is something in the body
+  if (room < -room_.fineness()) return false;  // An obstacle overlaps the body.
   const Segment step = step_to(node);
   const float sure =
       sure_steps * static_cast<float>(std::abs(step.length)) + sure_fineness * room_.fineness();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What does it cost, about, to drive from a pose to everywhere else, in any direction and gear?
+// What does it cost, approximately, to drive from one pose to all others, in any direction and
+// gear?
 //
 // Method: docs/algorithms/anytime.md, "Survey".
 
@@ -16,80 +17,84 @@
 
 namespace vandplan::search {
 
-/// How fine a field is.
+/// Resolution of a field and weight of its guide.
 struct FieldOptions {
-  int headings = 24;   ///< cells of a full turn; an arc turns by one of them
-  double cell = 0.25;  ///< side of a position cell [turning radii]
-  /// How often what a guide says counts: beyond 1 fewer poses are looked at, and dearer ways found.
+  int headings = 24;   ///< Cells of a full turn; each arc turns by one cell.
+  double cell = 0.25;  ///< Side of a position cell [turning radii].
+  /// Weight of the guide's estimate. Above 1 fewer poses are expanded and costlier ways found.
   double greediness = 1.0;
 };
 
-/// Costs of ways of arcs and lines of one length from a root, one pose for each cell of place,
-/// heading and gear (Hybrid A*, Dolgov et al. 2010). Lean enough to look everywhere: tables in
-/// place of sines and of a heap, single precision, and a raster that tells where an exact check is
-/// needless. A pose that costs no less than one in the other gear and a change is left out.
+/// Costs of ways from a root, made of arcs and lines of fixed lengths. Each cell of place, heading
+/// and gear keeps one pose (Hybrid A*, Dolgov et al. 2010). It is fast enough to cover a whole box:
+/// tables replace sines and the heap, numbers are single precision, and a raster tells where an
+/// exact collision check is needless. Poses are dropped that cost at least as much as a pose in the
+/// other gear plus a gear change.
 class DriveField {
  public:
-  /// A pose that was reached.
+  /// Pose that was reached.
   struct Node {
     float x, y;
-    float cost;              // of getting there [m]
-    float near;              // what being near things adds to a metre there
-    std::int32_t parent;     // `none` for the root
-    std::int16_t heading;    // steps of a turn, from that of the root on
-    std::int8_t side, gear;  // of the step that leads there: 1 left, 0 straight on, -1 right
-    bool is_open;            // nothing is in the way of that step
+    float cost;              // Cost of the way from the root [m].
+    float near;              // Cost that small clearance adds to a metre here.
+    std::int32_t parent;     // Parent node; `none` for the root.
+    std::int16_t heading;    // Steps of a turn, relative to the root's heading.
+    std::int8_t side, gear;  // Step that leads here: side 1 left, 0 straight, -1 right.
+    bool is_open;            // Whether that step is known to be free.
   };
   static constexpr std::int32_t none = -1;
 
-  /// Ways begin at the root after something was driven in that gear; those that cost more than
-  /// `most` in all are of no interest [m]. The connector has the rule of their direction. It and
-  /// the room, which is complete, outlive the field.
+  /// Ways begin at the root, after driving in gear `driven`. Ways that cost more than `most` in
+  /// total are ignored [m]. The connector must have the cost rule of this direction. Connector and
+  /// room must outlive the field, and the room must be complete.
   DriveField(Connector& connector, Room& room, const Bounds& box, const FieldOptions& options,
              const Pose& root, GearSign driven, double most);
 
-  /// What going on costs: what the guide says, or what is known to a field of the other direction,
-  /// with the same box and options; where that has not been, there is no way. To be said first.
+  /// Sets the cost-to-go: the estimate of a guide, or the costs of a field of the opposite
+  /// direction. That field needs the same box and options; where it has no pose, there is no way.
+  /// Must be called once before `step`.
   void look_towards(const Guide& guide);
   void look_towards(const DriveField& opposite);
 
-  /// Goes on by one pose: the node, or `none` if that was of no use.
+  /// Expands one pose. Returns its node, or `none` if the pose was of no use.
   std::int32_t step();
-  /// No way is left.
+  /// Whether no pose is left to expand.
   [[nodiscard]] bool is_exhausted() const noexcept { return waiting_ == 0; }
-  /// Ways that cost more in all are of no interest any more [m].
+  /// From now on ignores ways that cost more than `cost` in total [m].
   void set_cutoff(double cost) noexcept { cutoff_ = std::min(cutoff_, static_cast<float>(cost)); }
-  /// About what the cheapest way costs in all that is left; there is one [m].
+  /// Approximate total cost of the cheapest way through a pose left to expand [m]. Requires such a
+  /// pose.
   [[nodiscard]] double least_cost();
 
   [[nodiscard]] const Node& node(std::int32_t id) const {
     return nodes_[static_cast<std::size_t>(id)];
   }
   [[nodiscard]] LocalPose pose(const Node& node) const;
-  /// The step that leads to a node.
+  /// Segment that leads from a node's parent to the node.
   [[nodiscard]] Segment step_to(const Node& node) const;
 
-  /// Where in this field a way of the other direction goes on from a node of another field.
+  /// Continuation of a way of another field in this field, which has the opposite direction.
   struct Onward {
     std::int32_t node = none;
-    float cost = std::numeric_limits<float>::infinity();  // with a change of gear, if it takes one
+    /// Cost to this field's root [m], with a gear change if needed.
+    float cost = std::numeric_limits<float>::infinity();
   };
   [[nodiscard]] Onward onward(const DriveField& other, const Node& node) const;
 
  private:
   struct State {
     float cost = std::numeric_limits<float>::infinity();
-    std::int32_t node = none;  // that was closed there
+    std::int32_t node = none;  // Node that was closed in this state.
   };
   struct Entry {
     float rank;
     std::int32_t node;
   };
-  /// A step from one heading.
+  /// Motion from one heading by an arc or a line.
   struct Step {
     float x, y;
     float length, cost;
-    std::int16_t heading;  // that it leads to
+    std::int16_t heading;  // Heading at the end.
     std::int8_t side, gear;
   };
 
@@ -110,18 +115,20 @@ class DriveField {
   double turn_;
   float x_min_, y_min_, cells_of_metre_, buckets_of_metre_, greediness_;
   std::int64_t columns_, rows_;
-  float gear_change_, turning_;  // prices: of a change of gear, of full lock from straight on
+  /// Prices [m]: a gear change; turning the wheels from straight to full lock.
+  float gear_change_, turning_;
   float clearance_weight_, clearances_of_metre_;
-  std::vector<Step> steps_;  // three in each gear from each heading
+  std::vector<Step> steps_;  // Three steps in each allowed gear, for each heading.
   std::vector<float> cos_, sin_;
   const Guide* guide_ = nullptr;
-  std::vector<float> guided_;  // what the guide says in the middle of a cell; negative: not asked
+  /// Guide's estimate at the centre of each cell; negative: not asked yet.
+  std::vector<float> guided_;
   const DriveField* opposite_ = nullptr;
   float cutoff_;
   std::vector<Node> nodes_;
   std::vector<State> states_;
-  std::vector<std::vector<Entry>> buckets_;  // by rank
-  std::size_t front_ = 0;                    // none of a lower rank waits
+  std::vector<std::vector<Entry>> buckets_;  // Entries by rank.
+  std::size_t front_ = 0;                    // No waiting entry is in a bucket below.
   std::size_t waiting_ = 0;
 };
 

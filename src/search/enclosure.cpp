@@ -8,14 +8,16 @@
 namespace vandplan::search {
 namespace {
 
-constexpr double coarsest = 0.5;     // cell of the first lattice [disc radii]: no wall is too thin
-constexpr double finest = 1.0 / 64;  // of the last one
-constexpr double most_cells = 1e8;   // along a side of a lattice
-constexpr double slack = 1e-5;       // of distances and bounds; more than the judge's [m]
-constexpr int work_of_step = 128;    // runs, and looks at what is near
-constexpr std::int64_t most_looks = 10'000'000;  // at what is near, on one lattice: some 100 MB
+// Cell of the first lattice [disc radii]; no wall is too thin for it.
+constexpr double coarsest = 0.5;
+constexpr double finest = 1.0 / 64;  // Cell of the last lattice [disc radii].
+constexpr double most_cells = 1e8;   // Cells along a side of a lattice.
+constexpr double slack = 1e-5;       // Slack of distances and bounds [m]; larger than the judge's.
+constexpr int work_of_step = 128;    // Work of one call: runs, and obstacles looked at.
+// Obstacles looked at on one lattice; takes about 100 MB.
+constexpr std::int64_t most_looks = 10'000'000;
 
-/// Around both boxes.
+/// Bounding box of two boxes.
 Bounds hull(const Bounds& a, const Bounds& b) {
   return {std::min(a.x_min, b.x_min), std::max(a.x_max, b.x_max), std::min(a.y_min, b.y_min),
           std::max(a.y_max, b.y_max)};
@@ -25,7 +27,7 @@ Bounds widened(const Bounds& box, double by) {
   return {box.x_min - by, box.x_max + by, box.y_min - by, box.y_max + by};
 }
 
-/// Where something stands in the way, with both ends.
+/// Bounding box of all obstacles, the map and both ends.
 Bounds scene_of(const Surroundings& ground, const std::array<Point, 2>& ends) {
   Bounds scene = bounding_box(ends);
   for (const Polygon& polygon : ground.obstacles) scene = hull(scene, bounding_box(polygon));
@@ -35,9 +37,9 @@ Bounds scene_of(const Surroundings& ground, const std::array<Point, 2>& ends) {
 
 }  // namespace
 
-// The disc lies as near to the rear axle as it may. A way of its centre that leaves the scene can
-// be moved, place by place, to the nearest point of a box around the scene, where nothing is near:
-// so what is connected at all is connected in that box, within the bounds.
+// The disc lies as near to the rear axle as possible. If a way of its centre leaves the scene, each
+// of its places can be moved to the nearest point of a box around the scene, where no obstacle is
+// near. So ends that are connected at all are connected in that box, within the bounds.
 Enclosure::Enclosure(const Task& task) : task_(task) {
   const Disc disc = widest_disc(task.vehicle);
   disc_ = disc.radius + task.least_margin;
@@ -51,7 +53,7 @@ Enclosure::Enclosure(const Task& task) : task_(task) {
   if (!next_lattice()) side_ = 0.0;
 }
 
-// One on which start and goal are not side by side.
+// Takes the next lattice on which start and goal are not in one run. False if there is none.
 bool Enclosure::next_lattice() {
   const double extent = std::max(box_.x_max - box_.x_min, box_.y_max - box_.y_min);
   do {
@@ -64,7 +66,7 @@ bool Enclosure::next_lattice() {
   return true;
 }
 
-/// False where the end lies in no open cell, or in a run of the other end.
+/// Begins a flood. False if the end lies in no open cell, or in a run of the other end.
 bool Enclosure::begin(End end) {
   const Point root = rows_.in_cells(ends_[end]);
   floods_[end] = {root, 0, {}};
@@ -78,7 +80,7 @@ bool Enclosure::begin(End end) {
   return !reach(end, row, static_cast<std::int32_t>(run - runs.begin()));
 }
 
-/// True when the other end has been there.
+/// Adds a run to a flood. True if the other flood owns it.
 bool Enclosure::reach(End end, std::int32_t row, std::int32_t index) {
   const OpenRows::Row& runs = rows_.row(row);
   const auto place = static_cast<std::size_t>(index);
@@ -91,7 +93,7 @@ bool Enclosure::reach(End end, std::int32_t row, std::int32_t index) {
   return false;
 }
 
-/// On from the run that is nearest to the other end. True when the floods meet.
+/// Expands the run nearest to the other end. True when the floods meet.
 bool Enclosure::advance(End end) {
   Flood& flood = floods_[end];
   const Node node = flood.front.top();

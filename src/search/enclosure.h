@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Is the start or the goal walled in? A proof, on lattices, that there is no path.
+// Are start and goal separated by obstacles? A proof, on lattices, that there is no path.
 //
-// The footprint holds a disc that is as wide as itself. Its centre goes with the vehicle, keeps the
-// disc's radius and the margin from every obstacle, and so stays in the open cells of a lattice
-// (open_rows.h). It goes from cell to cell across their sides: where it passes a corner, all four
-// cells are open. If those of the start and those of the goal are not connected, there is no path.
+// The footprint holds a disc as wide as itself. The disc's centre moves with the vehicle and keeps
+// the disc's radius plus the margin from every obstacle. So it stays in the open cells of a lattice
+// (open_rows.h), and moves from cell to cell across their sides: where it passes a corner, all four
+// cells are open. If the cells of start and goal are not connected, there is no path.
 
 #include <array>
 #include <cstdint>
@@ -19,29 +19,30 @@
 
 namespace vandplan::search {
 
-/// Floods open cells from the start and from the goal in step, so that the smaller side is done
-/// first. Where they meet, a lattice of half the size follows, which knows narrower gaps.
+/// Floods open cells from the start and from the goal in turn, so that the smaller side is finished
+/// first. Where the floods meet, a lattice of half the cell size follows, which shows narrower
+/// gaps.
 class Enclosure {
  public:
   explicit Enclosure(const Task& task);
 
-  /// Goes on, some ten microseconds of work. False when there is no more to do.
+  /// Does some ten microseconds of work. False when nothing is left to do.
   bool step();
 
-  /// Proven: no path gets from the start to the goal.
+  /// Whether it is proven that no path leads from the start to the goal.
   [[nodiscard]] bool is_proven() const noexcept { return is_proven_; }
 
  private:
   enum End : std::uint8_t { start, goal };
-  /// A run of open cells that one of the floods has reached.
+  /// Run of open cells that a flood has reached.
   struct Node {
     std::int32_t row, index;
-    double rank;  // its distance from the other end [cells]
+    double rank;  // Distance of the run from the other end [cells].
     bool operator<(const Node& other) const { return rank > other.rank; }
   };
   struct Flood {
-    Point root;         // in cells
-    std::int64_t work;  // done so far
+    Point root;         // Where the flood begins [cells].
+    std::int64_t work;  // Work done so far.
     std::priority_queue<Node> front;
   };
   static constexpr std::uint8_t nobody = 2;
@@ -52,12 +53,13 @@ class Enclosure {
   [[nodiscard]] bool reach(End end, std::int32_t row, std::int32_t index);
 
   const Task& task_;
-  double disc_;                // radius and margin [m]
-  std::array<Point, 2> ends_;  // where the centre is at start and goal [m]
-  Bounds box_;                 // whoever gets from end to end can do so in here
-  double side_;                // of a cell [m]
+  double disc_;                // Radius plus margin [m].
+  std::array<Point, 2> ends_;  // Centre of the disc at start and goal [m].
+  Bounds box_;                 // If start and goal are connected, they are within this box.
+  double side_;                // Side of a cell [m].
   OpenRows rows_;
-  std::unordered_map<std::int32_t, std::vector<std::uint8_t>> owners_;  // of the runs of a row
+  /// Flood that owns each run, by row.
+  std::unordered_map<std::int32_t, std::vector<std::uint8_t>> owners_;
   std::array<Flood, 2> floods_;
   bool is_proven_ = false;
 };

@@ -14,11 +14,11 @@ namespace {
 
 constexpr std::int32_t closed_cell = -1;
 constexpr std::int32_t unknown_cell = std::numeric_limits<std::int32_t>::max();
-constexpr std::int64_t whole = 64;        // greediness is a multiple of 1 / 64
-constexpr std::size_t most_tiles = 8192;  // 4 KB each; of 32 x 32 cells
+constexpr std::int64_t whole = 64;        // Greediness is a multiple of 1 / 64.
+constexpr std::size_t most_tiles = 8192;  // A tile has 32 x 32 cells and takes 4 KB.
 constexpr int settled_at_once = 64;
 
-/// Kept with the world: many plans share it.
+/// Index of a world's polygons. It is kept with the world, as many plans share it.
 std::shared_ptr<const SiteSquares> squares_of(const World& world) {
   return std::static_pointer_cast<const SiteSquares>(world.kept(typeid(SiteSquares), [&] {
     return std::make_shared<const SiteSquares>(
@@ -44,7 +44,7 @@ FarGuide::FarGuide(const Task& task, const Bounds& box, const Options& options, 
                      side_ / 2)),
       greediness_(std::llround(options.greediness * whole)),
       root_(cell_of({root.x, root.y})) {
-  // The vehicle stands there.
+  // The vehicle stands at the root, so its cell is open.
   cost_at(root_) = unknown_cell;
   const RasterCell to = cell_of(target_);
   cost_at(to) = 0;
@@ -75,7 +75,7 @@ std::int32_t& FarGuide::cost_at(const RasterCell& cell) {
       tile->fill(unknown_cell);
       const RasterCell first{cell.x / tile_side * tile_side, cell.y / tile_side * tile_side};
       mark(*tile, first, site_->obstacles, near_);
-      mark(*tile, first, site_->kerbs, side_ / 2);  // the rear axle reaches as far
+      mark(*tile, first, site_->kerbs, side_ / 2);  // The rear axle cannot get nearer to a kerb.
     }
     last_key_ = key;
     last_tile_ = tile.get();
@@ -87,8 +87,8 @@ Point FarGuide::centre_of(const RasterCell& cell) const noexcept {
   return {box_.x_min + (cell.x + 0.5) * side_, box_.y_min + (cell.y + 0.5) * side_};
 }
 
-// Cells whose centre is so near to a side that no point of them is free for the disc; at least the
-// cells that the side runs through.
+// Closes the cells whose centre is so near to a side that no point of them is free for the disc. At
+// least the cells that the side crosses are closed.
 void FarGuide::mark(Tile& tile, const RasterCell& first, const PolygonSquares& polygons,
                     double near) const {
   const Point low = centre_of(first);
@@ -106,7 +106,7 @@ void FarGuide::mark(Tile& tile, const RasterCell& first, const PolygonSquares& p
 void FarGuide::mark(Tile& tile, const RasterCell& first, const Point& a, const Point& b,
                     double near) const {
   const Point origin = centre_of(first);
-  // In double first: an obstacle may be further away than an integer counts cells.
+  // Computed in double, as the offset of an obstacle may exceed an integer.
   const auto begin = [&](double offset) {
     return static_cast<std::int32_t>(std::clamp(std::ceil(offset / side_), 0.0, tile_side + 0.0));
   };
@@ -138,7 +138,7 @@ std::int64_t FarGuide::rank_of(const RasterCell& cell, std::int32_t cost) const 
 void FarGuide::reach(const RasterCell& cell, std::int32_t cost) {
   if (cell.x < 0 || cell.y < 0) return;
   std::int32_t& known = cost_at(cell);
-  if (known <= cost) return;  // closed ones, too
+  if (known <= cost) return;  // Closed cells return here too.
   if (known == unknown_cell && !(cell == root_) && is_closed(cell)) {
     known = closed_cell;
     return;
@@ -162,7 +162,7 @@ bool FarGuide::step() {
     const auto [rank, cell] = open_.top();
     open_.pop();
     const std::int32_t cost = cost_at(cell);
-    if (rank != rank_of(cell, cost)) continue;  // a shorter way there was found meanwhile
+    if (rank != rank_of(cell, cost)) continue;  // A shorter way to the cell was found meanwhile.
     front_ = std::max(front_, rank);
     reached_ = cell == root_;
     settle(cell, cost);
@@ -175,7 +175,7 @@ std::int32_t FarGuide::known_cost(const RasterCell& cell) const noexcept {
   return tile == tiles_.end() ? unknown_cell : (*tile->second)[place_in_tile(cell)];
 }
 
-// Down the costs: each cell but the target's was reached from one that costs less.
+// Descends the costs: each cell except the target's was reached from one that costs less.
 std::vector<Point> FarGuide::way() const {
   std::vector<Point> points = {root_place_};
   RasterCell here = root_;

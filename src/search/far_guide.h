@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How far is it around the obstacles of a whole site, of which only a strip is ever looked at?
+// How far is it around the obstacles of a large site, of which a search sees only a strip?
 
 #include <array>
 #include <cstdint>
@@ -17,25 +17,26 @@
 
 namespace vandplan::search {
 
-/// What stands on a site, for those who look at parts of it.
+/// Obstacles and kerbs of a site, for queries about small boxes.
 struct SiteSquares {
   PolygonSquares obstacles;
   PolygonSquares kerbs;
 };
 
-/// Distances to one target on a grid (eight neighbours) that exists in tiles only where the search
-/// from the target comes: a greedy A*, whose work and memory grow with the way and not with the
-/// area. Obstacles are marked tile by tile, those of a map when a cell is first reached.
+/// Distances to one target on a grid with eight neighbours. The grid exists only in tiles that the
+/// search from the target reaches: a greedy A* whose work and memory grow with the length of the
+/// way, not with the area. Polygons are marked tile by tile; a map's cell is looked up when first
+/// reached.
 class FarGuide final : public Guide {
  public:
   /// Whether a grid over the whole box would need cells wider than the vehicle.
   [[nodiscard]] static bool is_wanted(const Task& task, const Bounds& box);
 
-  /// How fine and how greedy it is.
+  /// Resolution and greediness of the search.
   struct Options {
-    double side = 1.0;  ///< of a cell [vehicle widths]
-    /// The way found is at most so many times as long as the shortest one on the grid, and is found
-    /// the sooner the more; >= 1.
+    double side = 1.0;  ///< Side of a cell [vehicle widths].
+    /// Factor on the estimate, >= 1. The way found is at most this many times as long as the
+    /// shortest one on the grid. Larger values find it sooner.
     double greediness = 1.0;
     bool operator==(const Options&) const = default;
   };
@@ -47,8 +48,8 @@ class FarGuide final : public Guide {
   [[nodiscard]] bool is_connected() const noexcept override { return reached_; }
   [[nodiscard]] double at(double x, double y) const noexcept override;
 
-  /// The way that was found, from the root to the target: the places of both, and the centres of
-  /// the cells between. Needs `is_connected`.
+  /// The way that was found, from the root to the target: both points, and the centres of the cells
+  /// between them. Requires `is_connected`.
   [[nodiscard]] std::vector<Point> way() const;
 
  private:
@@ -57,13 +58,14 @@ class FarGuide final : public Guide {
     RasterCell cell;
     bool operator<(const Entry& other) const { return rank > other.rank; }
   };
-  static constexpr std::int32_t tile_side = 32;  // cells
+  static constexpr std::int32_t tile_side = 32;  // Side of a tile [cells].
   using Tile = std::array<std::int32_t, std::size_t{tile_side} * tile_side>;
 
   [[nodiscard]] RasterCell cell_of(const Point& point) const noexcept;
   [[nodiscard]] Point centre_of(const RasterCell& cell) const noexcept;
   [[nodiscard]] bool is_closed(const RasterCell& cell) const;
-  /// The cells of a tile that are near to a side of a polygon; `first` is its first cell.
+  /// Closes the cells of a tile within `near` [m] of the sides of polygons. `first` is the tile's
+  /// first cell.
   void mark(Tile& tile, const RasterCell& first, const PolygonSquares& polygons, double near) const;
   void mark(Tile& tile, const RasterCell& first, const Point& a, const Point& b, double near) const;
   [[nodiscard]] static std::uint64_t tile_of(const RasterCell& cell) noexcept;
@@ -79,16 +81,16 @@ class FarGuide final : public Guide {
   Bounds box_;
   Point target_;
   Point root_place_;
-  double side_;              // of a cell [m]
-  double near_;              // from the centre of a blocked cell to an obstacle, at most [m]
-  std::int64_t greediness_;  // in parts of `whole`
+  double side_;  // Side of a cell [m].
+  double near_;  // Largest distance from the centre of a blocked cell to an obstacle [m].
+  std::int64_t greediness_;  // Greediness in units of 1 / `whole`.
   RasterCell root_;
-  std::unordered_map<std::uint64_t, std::unique_ptr<Tile>> tiles_;  // costs in fifths of a cell
-  std::uint64_t last_key_ = 0;  // of the tile that was asked for last,
-  Tile* last_tile_ = nullptr;   // and the tile
+  std::unordered_map<std::uint64_t, std::unique_ptr<Tile>> tiles_;  // Cost of each cell [1/5 cell].
+  std::uint64_t last_key_ = 0;  // Key of the tile last asked for.
+  Tile* last_tile_ = nullptr;   // The tile last asked for.
   std::priority_queue<Entry> open_;
-  std::int64_t front_ = 0;  // the greatest rank that was settled
-  bool reached_ = false;    // the root
+  std::int64_t front_ = 0;  // Greatest rank that was settled.
+  bool reached_ = false;    // Whether the search reached the root.
 };
 
 }  // namespace vandplan::search

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-// Which exact piece did somebody sample? docs/algorithms/lattice.md, "Files of others".
+// Which exact piece fits sampled poses? docs/algorithms/lattice.md, "Files of others".
 
 #include <algorithm>
 #include <cmath>
@@ -17,12 +17,12 @@ namespace vandplan::search {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double closing = 1e-10;  // of a piece that ends where it should [m, rad]
-constexpr int places = 64;         // of a piece that poses are compared with
-constexpr int radii = 48;          // tried at first
-constexpr int refinements = 40;    // of the best of these
-constexpr double heading_rounding = 2e-4;
-constexpr int largest_direction = 8;  // coordinate
+constexpr double closing = 1e-10;          // Largest error of a piece's end [m, rad].
+constexpr int places = 64;                 // Intervals of a piece that poses are compared with.
+constexpr int radii = 48;                  // Number of radii tried first.
+constexpr int refinements = 40;            // Steps that refine the best radius.
+constexpr double heading_rounding = 2e-4;  // Largest error of a heading in a file [rad].
+constexpr int largest_direction = 8;       // Largest coordinate of a direction of the grid.
 
 double distance_to_segment(const Point& p, const Point& a, const Point& b) {
   const double ux = b.x - a.x;
@@ -33,7 +33,7 @@ double distance_to_segment(const Point& p, const Point& a, const Point& b) {
   return std::hypot(a.x + along * ux - p.x, a.y + along * uy - p.y);
 }
 
-/// How far the poses are from the piece, at most.
+/// Largest distance of the poses from a piece [m].
 double deviation(const Pose& begin, const Piece& piece, std::span<const Pose> poses) {
   const Path path{begin, {piece.view().begin(), piece.view().end()}};
   std::vector<Point> line;
@@ -64,7 +64,8 @@ bool ends_at(const Pose& begin, const Piece& piece, const Pose& end) {
          std::abs(wrap_angle(last.heading - end.heading)) <= closing;
 }
 
-/// A line, an arc of this radius, a line; none if that is driven backwards in parts.
+/// A line, an arc of this radius and a line, driven forward. Empty if a line would be driven
+/// backwards.
 std::optional<Piece> arc_between_lines(const Pose& begin, const Pose& end, double radius) {
   const double turn = wrap_angle(end.heading - begin.heading);
   const auto [sin_a, cos_a] = base::sin_cos(begin.heading);
@@ -72,7 +73,8 @@ std::optional<Piece> arc_between_lines(const Pose& begin, const Pose& end, doubl
   const double cross = cos_a * sin_b - sin_a * cos_b;
   if (std::abs(cross) < 1e-6) return std::nullopt;
   const double signed_radius = std::copysign(radius, turn);
-  const double x = end.x - begin.x - signed_radius * (sin_b - sin_a);  // left to the lines
+  // Displacement left to the two lines.
+  const double x = end.x - begin.x - signed_radius * (sin_b - sin_a);
   const double y = end.y - begin.y - signed_radius * (cos_a - cos_b);
   const double first = (x * sin_b - y * cos_b) / cross;
   const double last = (y * cos_a - x * sin_a) / cross;
@@ -84,14 +86,14 @@ std::optional<Piece> arc_between_lines(const Pose& begin, const Pose& end, doubl
   return piece;
 }
 
-/// What is driven where nothing is turned.
+/// Straight line between two poses that have one heading.
 std::optional<Piece> line(const Pose& begin, const Pose& end) {
   Piece piece;
   append(piece, 0.0, std::hypot(end.x - begin.x, end.y - begin.y));
   return piece;
 }
 
-/// The piece nearest to poses among those that radii give.
+/// Piece with the least deviation from poses, among pieces that radii give.
 class Fit {
  public:
   Fit(const Pose& begin, const Pose& end, std::span<const Pose> poses)
@@ -107,7 +109,7 @@ class Fit {
     return off;
   }
 
-  /// Tries radii from `low` to `high`, and then those near to the best one.
+  /// Tries radii from `low` to `high`, then refines the best one.
   template <typename Make>
   void search(double low, double high, Make make) {
     const double ratio = std::pow(high / low, 1.0 / (radii - 1));
@@ -143,7 +145,7 @@ class Fit {
   Piece best_;
 };
 
-/// 1 if the poses follow each other forward, -1 in reverse, 0 if neither.
+/// Gear of a sequence of poses: 1 forward, -1 reverse, 0 if it changes.
 GearSign gear_of_poses(std::span<const Pose> poses) {
   GearSign gear = 0;
   for (std::size_t i = 1; i < poses.size(); ++i) {
@@ -164,7 +166,7 @@ std::optional<Piece> fitted_forward(const Pose& begin, const Pose& end, std::spa
   fit.offer(line(begin, end));
   const double turn = std::abs(wrap_angle(end.heading - begin.heading));
   if (turn > 1e-6) {
-    // The largest radius that leaves no line behind it, or a little more.
+    // Largest radius that leaves no line after the arc, or slightly more.
     const double largest = 2 * chord / std::max(turn, 0.01);
     fit.search(chord / 100, largest,
                [&](double radius) { return arc_between_lines(begin, end, radius); });

@@ -10,15 +10,15 @@
 namespace vandplan::search {
 namespace {
 
-constexpr double coarsest = 1.0;        // cell of the first lattice [disc radii]
-constexpr double finest = 1.0 / 32;     // of the last one
-constexpr double most_cells = 4000.0;   // along the longer side of a lattice
-constexpr double rounding_near = 1e-6;  // of distances to obstacles [m]
-constexpr int work_of_step = 32;        // intervals
+constexpr double coarsest = 1.0;        // Cell of the first lattice [disc radii].
+constexpr double finest = 1.0 / 32;     // Cell of the last lattice [disc radii].
+constexpr double most_cells = 4000.0;   // Cells along the longer side of a lattice.
+constexpr double rounding_near = 1e-6;  // Slack of distances to obstacles [m].
+constexpr int work_of_step = 32;        // Intervals expanded by one call.
 
 double distance(const Point& p, const Point& q) { return std::hypot(p.x - q.x, p.y - q.y); }
 
-/// Around the ellipse of all places on ways of that length between two points.
+/// Bounding box of the ellipse of all places on ways of this length between two points.
 Bounds box_of_ways(const Point& p, const Point& q, double length) {
   const double dx = (q.x - p.x) / 2;
   const double dy = (q.y - p.y) / 2;
@@ -36,7 +36,7 @@ Bounds box_of_paths(const Task& task, const Disc& disc, double longest) {
   const double stretch = stretch_of(disc, task.vehicle.min_turning_radius);
   const Bounds ways = box_of_ways(centre_of(disc, task.start), centre_of(disc, task.goal),
                                   longest * stretch + disc.radius + task.least_margin);
-  const double beside = std::abs(disc.ahead);  // of the bounds
+  const double beside = std::abs(disc.ahead);  // The centre may be beside the bounds by this much.
   return {std::max(bounds.x_min - beside, ways.x_min), std::min(bounds.x_max + beside, ways.x_max),
           std::max(bounds.y_min - beside, ways.y_min), std::min(bounds.y_max + beside, ways.y_max)};
 }

@@ -17,7 +17,7 @@ std::int64_t key_of(const TautWays::RunId& run) {
   return static_cast<std::int64_t>(run.row) << 32 | run.index;
 }
 
-/// Length of the shortest of a node's ways to a point of the run that it leads into.
+/// Length of the shortest of a node's ways to a point of the run it leads into [cells].
 double way_by(const TautWays::Node& node, const Point& point) {
   const double before = std::abs(node.line - node.root.y);
   const double behind = std::abs(point.y - node.line);
@@ -57,13 +57,13 @@ double GeodesicField::at(const Point& point) {
   const auto nodes = into_.find(key_of(*run));
   if (nodes == into_.end()) return least;
   for (const TautWays::Node& node : nodes->second) {
-    if (node.rank > least) break;  // they are kept in its order
+    if (node.rank > least) break;  // Nodes are kept in the order of their rank.
     least = std::min(least, way_by(node, point));
   }
   return least;
 }
 
-// Along a run the distance changes by no more than the place does.
+// Along a run the distance changes at most by as much as the place.
 std::vector<std::int32_t> GeodesicField::cells_at(std::int32_t row, double distance, double near) {
   std::vector<std::int32_t> cells;
   if (!has_row(row)) return cells;

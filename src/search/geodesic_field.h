@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How far is it from one point to any other one, through the open cells of a lattice? Exactly.
+// How far is it from one point to all others, through the open cells of a lattice? Exact lengths.
 
 #include <cstdint>
 #include <unordered_map>
@@ -11,33 +11,35 @@
 
 namespace vandplan::search {
 
-/// Lengths of the shortest ways from a start, in cells of the lattice, for all places that lie on a
-/// way to the goal which is no longer than `longest`.
+/// Lengths of the shortest ways from a start [cells]. They cover all places on ways to the goal
+/// that are at most `longest` long.
 class GeodesicField {
  public:
   GeodesicField() = default;
-  /// Both points, in cells, are in open cells.
+  /// Start and goal are in cells of the lattice and lie in open cells.
   GeodesicField(OpenRows lattice, const Point& start, const Point& goal, double longest);
 
-  /// Goes on until its work is at least `work` nodes. False when there is nothing left to do.
+  /// Works until `work()` is at least `work` nodes. False when nothing is left to do.
   bool go_on(std::int64_t work);
   [[nodiscard]] std::int64_t work() const noexcept { return ways_.work(); }
-  /// Whether it was given up, as there is too much of it: what it says is worth nothing.
+  /// Whether the search stopped because it grew too large. Its lengths are then invalid.
   [[nodiscard]] bool is_given_up() const noexcept { return is_given_up_; }
 
-  /// Length of the shortest way to the point, but for rounding (1e-6); infinite in closed cells and
-  /// where no way leads. Elsewhere than on ways up to `longest` it may be too long.
+  /// Length of the shortest way to a point [cells], with a rounding error of 1e-6. Infinite in
+  /// closed cells and where no way leads. Too long perhaps at places that are on no way up to
+  /// `longest`.
   [[nodiscard]] double at(const Point& point);
-  /// Whether some way comes by a row of cells.
+  /// Whether a way passes a row of cells.
   [[nodiscard]] bool has_row(std::int32_t row) { return ways_.lattice().is_known(row); }
-  /// The cells of a row whose middle is so far from the start, give or take `near`.
+  /// Cells of a row whose middle is at `distance` from the start, plus or minus `near` [cells].
   [[nodiscard]] std::vector<std::int32_t> cells_at(std::int32_t row, double distance, double near);
 
  private:
   TautWays ways_;
   bool is_given_up_ = false;
   std::size_t count_ = 0;
-  std::unordered_map<std::int64_t, std::vector<TautWays::Node>> into_;  // by run
+  /// Nodes that lead into each run.
+  std::unordered_map<std::int64_t, std::vector<TautWays::Node>> into_;
 };
 
 }  // namespace vandplan::search

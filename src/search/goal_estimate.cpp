@@ -24,7 +24,7 @@ GoalEstimate euclid(const Task& task, const HeuristicTable*) {
           }};
 }
 
-/// An entry may be above the length where poses lie between grid points.
+/// Estimate from a table. An entry may exceed the length where poses lie between grid points.
 GoalEstimate looked_up(const Task& task, const HeuristicTable& table) {
   return {.is_admissible = false,
           .length = [table, goal = task.goal, radius = task.vehicle.min_turning_radius](

@@ -15,20 +15,20 @@ namespace vandplan::search {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double fineness = 3.0;        // cells along a radius of the disc
-constexpr double most_cells = 4e6;      // of a lattice
-constexpr double rounding_near = 1e-6;  // of distances to obstacles [m]
-constexpr double rounding = 1e-9;       // of sums of steps, relative
-constexpr int work_of_call = 16384;     // corners
-constexpr int sight_lag = 5;            // cells: no step makes ways longer by as much
-constexpr double buckets = 4.0;         // for a cell of rank
-constexpr int border_headings = 64;     // tried at a corner on the border of what is seen
-constexpr std::int32_t frame = 2;       // closed cells beside the lattice: as far as steps reach
+constexpr double fineness = 3.0;        // Cells along a radius of the disc.
+constexpr double most_cells = 4e6;      // Cells of a lattice, at most.
+constexpr double rounding_near = 1e-6;  // Slack of distances to obstacles [m].
+constexpr double rounding = 1e-9;       // Relative rounding error of sums of steps.
+constexpr int work_of_call = 16384;     // Corners settled by one call.
+constexpr int sight_lag = 5;     // Delay of border entries [cells]; no step raises a rank as much.
+constexpr double buckets = 4.0;  // Buckets for a cell of rank.
+constexpr int border_headings = 64;  // Headings tried at a corner on the border of sight.
+constexpr std::int32_t frame = 2;    // Closed cells beside the lattice; as far as steps reach.
 
 const double diagonal = std::sqrt(2.0);
 const double knight = std::sqrt(5.0);
 
-/// Steps in directions that are this far apart [rad] make ways too long by at most this factor.
+/// Largest factor by which ways are too long if steps have directions this far apart [rad].
 double excess_of(double apart) { return 1 / std::cos(apart / 2); }
 
 /// Length of the shortest way of eight or sixteen directions on open ground [cells].
@@ -55,7 +55,7 @@ GoalField::GoalField(const Task& task, FieldKind kind)
   const double radius = disc_.radius + task.least_margin;
   side_ = std::max({radius / fineness, std::sqrt(width * height / most_cells),
                     std::max(width, height) / most_cells});
-  // The goal is a corner: its distance is not rounded.
+  // The goal is a corner, so its distance is not rounded.
   const Point goal = centre_of(disc_, task.goal);
   const auto cells_to = [&](double length) {
     return static_cast<std::int32_t>(std::ceil(std::max(0.0, length) / side_));
@@ -64,7 +64,7 @@ GoalField::GoalField(const Task& task, FieldKind kind)
   box_ = {goal.x - goal_.x * side_, bounds.x_max + beside, goal.y - goal_.y * side_,
           bounds.y_max + beside};
   const double near = radius - side_ * std::sqrt(0.5) - rounding_near;
-  if (!(near > 0)) return;  // no cell would be closed
+  if (!(near > 0)) return;  // No cell would be closed.
   lattice_ = OpenRows(task, box_, side_, near);
   start_ = lattice_.in_cells(centre_of(disc_, task.start));
   closed_.assign(static_cast<std::size_t>(lattice_.columns() + 2 * frame), 0);
@@ -75,7 +75,7 @@ GoalField::GoalField(const Task& task, FieldKind kind)
   push({goal_, 0.0, false});
 }
 
-/// The cells of a row; column 0 is where the pointer leads.
+/// Cells of a row; the pointer is at column 0.
 const std::uint8_t* GoalField::cells(std::int32_t y) {
   if (y < 0 || y >= lattice_.rows()) return closed_.data() + frame;
   Cells& row = cells_[static_cast<std::size_t>(y)];
@@ -98,7 +98,7 @@ GoalField::Label& GoalField::label(const Corner& corner) {
   return (*block)[x % block_size];
 }
 
-/// Behind the front an entry has its turn at once.
+/// Adds an entry to its bucket, or to the front bucket if that is later.
 void GoalField::push(const Entry& entry) {
   const double rank = entry.cost + to_start(entry.corner) + (entry.is_border ? sight_lag : 0);
   const std::size_t bucket = std::max(front_, static_cast<std::size_t>(buckets * rank));
@@ -106,7 +106,7 @@ void GoalField::push(const Entry& entry) {
   open_[bucket].push_back(entry);
 }
 
-/// No way to the task's start is shorter [cells].
+/// Lower bound on the way to the task's start [cells].
 double GoalField::to_start(const Corner& corner) const noexcept {
   return open_way(kind_ == FieldKind::grid, corner.x - start_.x, corner.y - start_.y);
 }
@@ -115,7 +115,7 @@ double GoalField::on_open_ground(const Corner& corner) const noexcept {
   return open_way(kind_ == FieldKind::grid, corner.x - goal_.x, corner.y - goal_.y);
 }
 
-/// The shortest way on open ground from a corner with any heading [cells].
+/// Length of the shortest path on open ground from a corner with any heading [cells].
 double GoalField::beyond_border(const Corner& corner) const {
   std::array<float, border_headings> x, y, headings, lengths;
   const double to_axle = -disc_.ahead;
@@ -132,8 +132,8 @@ double GoalField::beyond_border(const Corner& corner) const {
   return std::max(on_open_ground(corner), least * too_long_ / side_);
 }
 
-/// A corner that the goal sees is as far from it as on open ground. Border entries spread to
-/// others.
+/// Reaches a corner by a step. A corner is seen by the goal if it is as far as on open ground.
+/// Entries of the border spread to corners that are not seen.
 void GoalField::reach(const Entry& from, const Corner& to, double step) {
   Label& there = label(to);
   const double cost = from.cost + step;
@@ -148,7 +148,7 @@ void GoalField::reach(const Entry& from, const Corner& to, double step) {
   push({to, cost, false});
 }
 
-/// Along the sides of open cells, across them, and across two of them that lie side by side.
+/// Steps along the sides of open cells, across them, and across two that lie side by side.
 void GoalField::spread(const Entry& from) {
   const std::int32_t x = from.corner.x;
   const std::int32_t y = from.corner.y;
@@ -178,8 +178,7 @@ void GoalField::spread(const Entry& from) {
   go(lower[-1] & lowest[-1], -1, -2, knight);
 }
 
-/// Settles all that is left of one bucket. False when there is nothing more to settle, or the work
-/// is done.
+/// Settles the rest of one bucket. False if nothing is left to settle, or the work is done.
 bool GoalField::settle(int& work) {
   if (front_ >= open_.size()) return false;
   while (!open_[front_].empty()) {
@@ -198,7 +197,7 @@ bool GoalField::settle(int& work) {
   return true;
 }
 
-/// Distance of a corner less that of a place from it [cells].
+/// Distance of a corner to the goal less its distance from a place [cells].
 double GoalField::of_corner(const Corner& corner, const Point& place, int& work) {
   const double* const cost = &label(corner).cost;
   const double ahead = to_start(corner);
@@ -211,7 +210,7 @@ double GoalField::of_corner(const Corner& corner, const Point& place, int& work)
   return known / too_long_ - std::hypot(place.x - corner.x, place.y - corner.y);
 }
 
-/// By the best of the four corners of the cell that holds the disc's centre [m].
+/// Estimate by the best of the four corners of the cell with the disc's centre [m].
 double GoalField::around(const Pose& pose, const Point& place) {
   const Corner cell{static_cast<std::int32_t>(place.x), static_cast<std::int32_t>(place.y)};
   if (!(place.x >= 0.0 && place.y >= 0.0) || cell.x >= lattice_.columns() ||

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How far is it to the goal, around the obstacles, from wherever one asks?
+// How far is it to the goal, around the obstacles, from any pose?
 //
-// Distances between the corners of a lattice's cells, for a disc that the footprint holds. They
-// spread from the goal as far as they are asked for. docs/algorithms/estimates.md has the proof.
+// Distances between the corners of a lattice's cells, for a disc inside the footprint. They spread
+// from the goal as far as queries need them. Proof: docs/algorithms/estimates.md.
 
 #include <array>
 #include <cstdint>
@@ -16,46 +16,46 @@
 
 namespace vandplan::search {
 
-/// What a field of distances is made of.
+/// Method that gives the distances of a field.
 enum class FieldKind : std::uint8_t {
-  grid,       ///< ways with steps in eight directions: up to 8.2 % longer than ways in any one
-  any_angle,  ///< ways with steps in sixteen directions, shortened by what those are too long
-  choi  ///< out of sight of the goal: to the border of what it sees, and open ground from there
+  grid,       ///< Steps in eight directions; ways are up to 8.2 % longer than any-angle ways.
+  any_angle,  ///< Steps in sixteen directions, divided by their largest excess: a lower bound.
+  choi        ///< Out of the goal's sight: to the border of sight, then open ground.
 };
 
-/// Distances to the goal of one task. A call spreads them further, so threads do not share it.
+/// Distances to the goal of one task. A query changes the object, so threads must not share it.
 class GoalField {
  public:
-  /// The task outlives the field. Nothing is computed yet.
+  /// Computes nothing yet. The task must outlive the field.
   GoalField(const Task& task, FieldKind kind);
 
-  /// Length of a way to the goal [m]: never above it if the field is `any_angle`. Infinite where
-  /// the goal is cut off. One call does a millisecond or two of work at most; what it does not get
-  /// to counts as being as far as it got.
+  /// Distance from a pose to the goal [m]; a lower bound on a path's length if the field is
+  /// `any_angle`. Infinite where the goal is cut off. One call works at most a millisecond or two;
+  /// a place it does not reach gets the distance reached so far.
   [[nodiscard]] double at(const Pose& pose);
 
-  /// How many corners have their distance.
+  /// Number of corners whose distance is final.
   [[nodiscard]] std::int64_t settled() const noexcept { return settled_; }
 
  private:
-  /// A corner of cells: that of column x and row y has the cell of that column and row above it to
-  /// the right.
+  /// Corner of cells. The cell with its column and row lies above it to the right.
   struct Corner {
     std::int32_t x, y;
   };
-  /// What is known of a corner. All costs are in cells.
+  /// State of a corner.
   struct Label {
-    double cost;
-    bool is_seen;  // from the goal; only `choi` tells
+    double cost;   // Distance to the goal [cells].
+    bool is_seen;  // Whether the goal sees the corner; only set for `choi`.
   };
   struct Entry {
     Corner corner;
     double cost;
-    bool is_border;  // to be spread to what the goal does not see
+    bool is_border;  // Whether it spreads from the border of sight.
   };
   static constexpr std::size_t block_size = 64;
-  using Block = std::unique_ptr<std::array<Label, block_size>>;  // corners side by side
-  using Cells = std::vector<std::uint8_t>;  // of a row, 1: open; two closed ones at either end
+  using Block = std::unique_ptr<std::array<Label, block_size>>;  // Corners side by side.
+  /// Cells of a row, 1: open; with two closed cells at each end.
+  using Cells = std::vector<std::uint8_t>;
 
   [[nodiscard]] const std::uint8_t* cells(std::int32_t y);
   [[nodiscard]] Label& label(const Corner& corner);
@@ -71,20 +71,20 @@ class GoalField {
 
   const Task& task_;
   FieldKind kind_;
-  double too_long_;  // ways along the steps, by at most this factor
+  double too_long_;  // Largest factor by which ways of steps are too long.
   Disc disc_;
-  double stretch_;  // the centre of the disc goes at most so many metres for one of the rear axle
-  double side_ = 1.0;  // of a cell [m]
+  double stretch_;  // Metres that the disc's centre moves for each metre of the rear axle, at most.
+  double side_ = 1.0;  // Side of a cell [m].
   Bounds box_ = {};
   OpenRows lattice_;
   Corner goal_ = {};
-  Point start_ = {};          // of the task [cells]: ways that lead there come first
-  Cells closed_;              // a row beside the lattice
-  std::vector<Cells> cells_;  // empty: not asked for yet
+  Point start_ = {};  // Disc's centre at the task's start [cells]; ways to it are spread first.
+  Cells closed_;      // Row of closed cells, for rows outside the lattice.
+  std::vector<Cells> cells_;  // Rows of cells; empty: not computed yet.
   std::size_t blocks_of_row_ = 0;
-  std::vector<Block> blocks_;             // null: likewise
-  std::vector<std::vector<Entry>> open_;  // by cost and way to the start
-  std::size_t front_ = 0;                 // all below is settled
+  std::vector<Block> blocks_;             // Labels of corners; null: not reached yet.
+  std::vector<std::vector<Entry>> open_;  // Buckets by cost plus way to the start.
+  std::size_t front_ = 0;                 // Corners in buckets below are settled.
   std::int64_t settled_ = 0;
 };
 

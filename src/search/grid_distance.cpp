@@ -13,13 +13,15 @@ namespace {
 constexpr double most_cells = 40000.0;
 constexpr std::int32_t blocked = -1;
 constexpr std::int32_t unreached = std::numeric_limits<std::int32_t>::max();
-constexpr double most_weight = 3.0;              // a guide need not mind more,
-constexpr double most_distance = 8.0;            // nor look farther [cells]
-constexpr std::size_t grid_buckets = 16;         // a step and the way to the root add up to 14,
-constexpr std::size_t priced_grid_buckets = 64;  // or 28 and 7
-constexpr std::int64_t looks_of_step = 250'000;  // at cells beside sides
-constexpr double slack = 1e-3;  // of a cell: rounding where a side that is nearly level is crossed
-constexpr double detour = 1.1;  // settled are cells on ways this much longer than the shortest
+constexpr double most_weight = 3.0;  // Largest weight of the price; a guide needs no more.
+// Largest distance of the price [cells]; a guide needs no more.
+constexpr double most_distance = 8.0;
+constexpr std::size_t grid_buckets = 16;         // More than a step raises a rank, 7 + 7.
+constexpr std::size_t priced_grid_buckets = 64;  // More than a priced step raises a rank, 28 + 7.
+constexpr std::int64_t looks_of_step = 250'000;  // Cells beside sides that one call looks at.
+constexpr double slack = 1e-3;  // Slack where a nearly level side is crossed [cells].
+// Cells are settled on ways up to this factor longer than the shortest.
+constexpr double detour = 1.1;
 
 }  // namespace
 
@@ -73,7 +75,7 @@ RasterCell GridDistance::cell_of(const Point& point) const noexcept {
           static_cast<std::int32_t>((point.y - box_.y_min) / side_) + 1};
 }
 
-// A frame of blocked cells, so that every other one has eight neighbours.
+// Blocks a frame of cells, so that each other cell has eight neighbours.
 void GridDistance::mark_border() {
   for (std::int32_t x = 0; x < columns_; ++x) {
     costs_[index_of({x, 0})] = costs_[index_of({x, rows_ - 1})] = blocked;
@@ -93,7 +95,7 @@ bool GridDistance::mark() {
     const Polygon& polygon = is_kerb ? ground_->kerbs[kerb] : obstacles[polygon_];
     const Point& a = corner_ == 0 ? polygon.back() : polygon[corner_ - 1];
     const Point& b = polygon[corner_];
-    // The rear axle reaches as far as a kerb.
+    // The rear axle cannot get nearer to a kerb than this.
     looks += is_kerb ? mark_side(a, b, side_ / 2, 0.0) : mark_side(a, b, near_, noted);
     if (++corner_ < polygon.size()) continue;
     corner_ = 0;
@@ -103,13 +105,14 @@ bool GridDistance::mark() {
 }
 
 std::int32_t GridDistance::inner_index(double offset, std::int32_t count) const noexcept {
-  // In double first: an obstacle may be further away than an integer counts cells.
+  // Computed in double, as the offset of an obstacle may exceed an integer.
   const double cell = std::clamp(std::floor(offset / side_), 0.0, count - 3.0);
   return static_cast<std::int32_t>(cell) + 1;
 }
 
-// Cells whose centre is so near to a side that no point of them is free for the disc; at least the
-// cells that the side runs through. In a row only what is near to the part of the side beside it.
+// Blocks the cells whose centre is so near to a side that no point of them is free for the disc,
+// and at least the cells that the side crosses. Each row looks only at the part of the side beside
+// it.
 std::int64_t GridDistance::mark_side(const Point& a, const Point& b, double near, double noted) {
   const double reach = std::max(near, noted) + side_ * slack;
   std::int64_t looks = 0;
@@ -134,7 +137,7 @@ std::int64_t GridDistance::mark_side(const Point& a, const Point& b, double near
   return looks;
 }
 
-// When it is first reached: most cells of a large map never are.
+// A map is looked up when a cell is first reached, as most cells of a large map never are.
 bool GridDistance::is_blocked_by_map(const RasterCell& cell) const {
   if (cell == root_ || cell == cell_of(target_)) return false;
   return map_->map_is_within(Local(centre_of(cell)), near_);
@@ -144,7 +147,7 @@ Point GridDistance::centre_of(const RasterCell& cell) const noexcept {
   return {box_.x_min + (cell.x - 0.5) * side_, box_.y_min + (cell.y - 0.5) * side_};
 }
 
-// Of a metre, where in the cell it is least.
+// Price of a metre at the cheapest place of a cell.
 double GridDistance::price_at(const RasterCell& cell) const {
   double gap = gaps_[index_of(cell)];
   if (map_ != nullptr) gap = std::min(gap, map_->map_distance(Local(centre_of(cell))).most);
@@ -156,7 +159,7 @@ void GridDistance::reach(const RasterCell& cell, std::int32_t cost, std::int32_t
                          std::int32_t step) {
   std::int32_t& known = costs_[index_of(cell)];
   cost += step;
-  if (known <= cost) return;  // blocked ones, too
+  if (known <= cost) return;  // Blocked cells return here too.
   if (is_priced()) {
     cost += static_cast<std::int32_t>(step * (price_at(cell) - 1.0));
     if (known <= cost) return;
@@ -171,7 +174,7 @@ void GridDistance::reach(const RasterCell& cell, std::int32_t cost, std::int32_t
   buckets_[rank % buckets_.size()].push_back(cell);
 }
 
-// A* with a bucket per rank.
+// A* with a bucket for each rank.
 bool GridDistance::step() {
   if (!is_marked_) {
     if (!mark()) return true;

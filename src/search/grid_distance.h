@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How far is it around the obstacles, for a disc that the vehicle never gets narrower than?
+// How far is it around the obstacles, for a disc as wide as the vehicle is at its narrowest?
 
 #include <cstdint>
 #include <vector>
@@ -12,77 +12,78 @@
 
 namespace vandplan::search {
 
-/// A metre costs 1 + weight * max(0, 1 - clearance / distance) times as much.
+/// Price of small clearance: a metre costs 1 + weight * max(0, 1 - clearance / distance).
 struct ClearancePrice {
-  double weight = 0.0;    ///< >= 0
-  double distance = 1.0;  ///< [m]; > 0
+  double weight = 0.0;    ///< Added price of a metre that touches an obstacle; >= 0.
+  double distance = 1.0;  ///< Clearance from which on there is no added price [m]; > 0.
 };
 
-/// Distances to one target on a grid (eight neighbours), as a guide and not as a bound. They are
-/// computed by A* from the target, so only where a search from `root` is likely to come.
+/// Distances to one target on a grid with eight neighbours: an estimate, not a bound. A* computes
+/// them from the target, so only where a search from `root` is likely to come.
 class GridDistance final : public Guide {
  public:
-  /// The side of the cells that cover `box` [m]: `side` vehicle widths, in large boxes more.
+  /// Side of the cells that cover `box` [m]: `side` vehicle widths, more in large boxes.
   [[nodiscard]] static double side_of_cells(const Task& task, const Bounds& box, double side);
 
-  /// Covers `box` with cells of `side` vehicle widths, in large boxes of more; nothing is computed
-  /// yet, and the task's world outlives the grid. With a price they are what driving costs a disc
-  /// as wide as the vehicle, wherever in a cell that is least; kerbs cost nothing.
+  /// Covers `box` with cells of `side` vehicle widths, more in large boxes. Computes nothing yet;
+  /// the task's world must outlive the grid. With a price the distances are costs for a disc as
+  /// wide as the vehicle, at the cheapest place of each cell. Kerbs add no price.
   GridDistance(const Task& task, const Bounds& box, double side, const Pose& target,
                const Pose& root, const ClearancePrice& price = {});
 
-  /// Marks the next obstacles, some milliseconds of work at most, or settles the next cells, some
-  /// microseconds. False when there is no more to do.
+  /// Marks the next obstacles (some milliseconds at most) or settles the next cells (some
+  /// microseconds). False when nothing is left to do.
   bool step() override;
 
   /// Whether a way between target and root was found.
   [[nodiscard]] bool is_connected() const noexcept override { return reached_; }
 
-  /// Distance to the target [m]; where it is not known, what it must exceed.
+  /// Distance to the target [m]; where it is not known, a lower bound on it.
   [[nodiscard]] double at(double x, double y) const noexcept override;
   [[nodiscard]] double length_at(double x, double y) const noexcept override;
 
  private:
-  /// The cell that holds a point of the box.
+  /// Cell that contains a point of the box.
   [[nodiscard]] RasterCell cell_of(const Point& point) const noexcept;
   void mark_border();
   [[nodiscard]] Point centre_of(const RasterCell& cell) const noexcept;
   [[nodiscard]] bool is_blocked_by_map(const RasterCell& cell) const;
-  /// Goes on with the sides of obstacles and kerbs; true when all are marked.
+  /// Marks the sides of more obstacles and kerbs; true when all are marked.
   bool mark();
-  /// Blocks the cells that are near to a side, and notes how far others are up to `noted` [m].
-  /// Returns at how many it looked.
+  /// Blocks the cells within `near` [m] of a side, and stores the distances of others up to `noted`
+  /// [m]. Returns the number of cells it looked at.
   std::int64_t mark_side(const Point& a, const Point& b, double near, double noted);
   void begin();
-  /// The cell, of `count` inside of the border, that a place falls into; beside them the nearest.
+  /// Index of the cell that contains a place, among `count` cells without the border; the nearest
+  /// one if the place is outside.
   [[nodiscard]] std::int32_t inner_index(double offset, std::int32_t count) const noexcept;
   [[nodiscard]] bool is_priced() const noexcept { return price_.weight > 0.0; }
   [[nodiscard]] double price_at(const RasterCell& cell) const;
-  /// By a step from a cell that `cost` and `length` lead to.
+  /// Reaches a cell by a step from a cell with this cost and length.
   void reach(const RasterCell& cell, std::int32_t cost, std::int32_t length, std::int32_t step);
   [[nodiscard]] std::size_t index_of(const RasterCell& cell) const noexcept;
 
   const Surroundings* ground_;
-  const CollisionChecker* map_;  // null without a map
+  const CollisionChecker* map_;  // Null without a map.
   Bounds box_;
   Point target_;
-  double side_ = 1.0;  // of a cell [m]
-  double near_ = 1.0;  // from the centre of a blocked cell to an obstacle, at most [m]
+  double side_ = 1.0;  // Side of a cell [m].
+  double near_ = 1.0;  // Largest distance from the centre of a blocked cell to an obstacle [m].
   std::int32_t columns_ = 0;
   std::int32_t rows_ = 0;
-  std::vector<std::int32_t> costs_;  // in fifths of a cell; -1 blocked
+  std::vector<std::int32_t> costs_;  // Cost of each cell [1/5 cell]; -1: blocked.
   ClearancePrice price_;
-  double disc_;                        // its radius [m]
-  std::vector<float> gaps_;            // with a price: from the centre to the nearest side [m],
-  std::vector<std::int32_t> lengths_;  // and how long the way is, in fifths of a cell
+  double disc_;              // Radius of the disc [m].
+  std::vector<float> gaps_;  // With a price: distance from a cell's centre to the nearest side [m].
+  std::vector<std::int32_t> lengths_;  // With a price: length of the way from each cell [1/5 cell].
   std::vector<std::vector<RasterCell>> buckets_;
-  std::size_t polygon_ = 0;  // an obstacle, or behind them a kerb: what is marked next,
-  std::size_t corner_ = 0;   // from the side that ends there
+  std::size_t polygon_ = 0;  // Polygon marked next: obstacles first, then kerbs.
+  std::size_t corner_ = 0;   // End of the side marked next.
   bool is_marked_ = false;
-  std::int32_t front_ = 0;  // cost and distance to the root of what is settled next
-  std::int32_t last_;       // of `front_`
+  std::int32_t front_ = 0;  // Cost plus distance to the root of the cells settled next.
+  std::int32_t last_;       // Largest value of `front_` to settle.
   RasterCell root_;
-  bool reached_ = false;  // the root
+  bool reached_ = false;  // Whether the search reached the root.
 };
 
 }  // namespace vandplan::search

@@ -17,13 +17,13 @@
 namespace vandplan::search {
 namespace {
 
-/// A direction of the grid: coordinates without a common divisor.
+/// Direction of the grid: coordinates without a common divisor.
 struct Direction {
   std::int32_t x, y;
   bool operator==(const Direction&) const = default;
 };
 
-/// A primitive of radius 1, by its ends alone; driven forward.
+/// Ends of a primitive for radius 1, driven forward: headings by index, displacement in steps.
 struct Ends {
   std::int32_t from, to;
   std::int32_t dx, dy;
@@ -37,7 +37,8 @@ std::vector<Direction> directions_of(std::int32_t largest) {
       if (std::gcd(x, y) == 1) all.push_back({x, y});
     }
   }
-  const auto angle = [](const Direction& d) {  // in [0, 2 pi): index 0 is along the x axis
+  // Angle from 0 to 2 pi, so that index 0 is along the x axis.
+  const auto angle = [](const Direction& d) {
     const double signed_angle = base::atan_2(d.y, d.x);
     return d.y < 0 ? signed_angle + 7.0 : signed_angle;
   };
@@ -45,7 +46,7 @@ std::vector<Direction> directions_of(std::int32_t largest) {
   return all;
 }
 
-/// The image of a vector under one of the eight symmetries of the grid.
+/// Image of a vector under one of the eight symmetries of the grid.
 Direction image_of(Direction d, int symmetry) {
   if ((symmetry & 1) != 0) d.y = -d.y;
   for (int turns = symmetry >> 1; turns > 0; --turns) d = {-d.y, d.x};
@@ -88,9 +89,9 @@ class Chooser {
   double longest_;
   double detour_;
   std::vector<Direction> directions_;
-  std::int32_t reach_;                   // of a primitive [steps]
-  std::vector<double> known_;            // way from a heading at the origin to a vertex
-  std::vector<std::vector<Ends>> into_;  // those chosen, by the heading at their end
+  std::int32_t reach_;         // Reach of a primitive [steps].
+  std::vector<double> known_;  // Length of the way from a heading at the origin to a vertex.
+  std::vector<std::vector<Ends>> into_;  // Chosen primitives, by the heading at their end.
 };
 
 std::int32_t Chooser::index_of(const Direction& d) const {
@@ -103,8 +104,8 @@ double& Chooser::known(std::int32_t from, std::int32_t dx, std::int32_t dy, std:
   return known_[static_cast<std::size_t>(place)];
 }
 
-// All that begin with a heading of the first octant, the shortest first: the others are images of
-// those.
+// Primitives that begin with a heading of the first octant, shortest first. All others are images
+// of these.
 std::vector<Ends> Chooser::candidates() const {
   std::vector<Ends> all;
   const auto add_all_to = [&](std::int32_t from, std::int32_t dx, std::int32_t dy) {
@@ -129,7 +130,7 @@ std::vector<Ends> Chooser::candidates() const {
   return all;
 }
 
-// The shortest way of those known: one that is, and a primitive behind it.
+// Length of the shortest way made of a known way and a chosen primitive.
 double Chooser::by_shorter_ones(const Ends& ends) {
   double least = std::numeric_limits<double>::infinity();
   for (const Ends& last : into_[static_cast<std::size_t>(ends.to)]) {
@@ -149,7 +150,8 @@ void Chooser::keep(const Ends& ends) {
   if (!is_there) into.push_back(ends);
 }
 
-// What is chosen is so in all eight symmetries of the grid; and from end to begin, facing back.
+// Keeps a primitive with its images: all eight symmetries of the grid, and each from end to begin
+// with reversed headings.
 void Chooser::keep_images(const Ends& ends) {
   for (int symmetry = 0; symmetry < 8; ++symmetry) {
     const Direction a = image_of(directions_[static_cast<std::size_t>(ends.from)], symmetry);

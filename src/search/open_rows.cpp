@@ -13,12 +13,13 @@ namespace vandplan::search {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double rounding = 1e-9;  // of distances from the map [m]; of a stretch, relative
+// Slack of distances from the map [m]; relative slack of a stretch.
+constexpr double rounding = 1e-9;
 constexpr std::size_t most_bands = 1024;
-constexpr double most_bands_of_side = 4;  // on average
-constexpr double most_stretch = 1.02;     // for the sake of a wider disc
+constexpr double most_bands_of_side = 4;  // Mean number of bands that a side reaches into, at most.
+constexpr double most_stretch = 1.02;     // Stretch that is accepted for a wider disc.
 
-/// Adds to [low, high] the places on the line at height `y` that are within `near` of a point.
+/// Extends [low, high] by the places on the line at height `y` within `near` of a point.
 void add_disc(const Point& p, double y, double near, double& low, double& high) {
   const double square = near * near - (y - p.y) * (y - p.y);
   if (square < 0) return;
@@ -26,8 +27,8 @@ void add_disc(const Point& p, double y, double near, double& low, double& high) 
   high = std::max(high, p.x + std::sqrt(square));
 }
 
-/// Adds to [low, high] the places on the line at height `y` in the box around the line from `a` to
-/// `b`, `near` wide to each hand.
+/// Extends [low, high] by the places on the line at height `y` in the box around the line segment
+/// from `a` to `b`, `near` wide to each side.
 void add_box(const Point& a, const Point& b, double y, double near, double& low, double& high) {
   const double length = std::hypot(a.x - b.x, a.y - b.y);
   if (length == 0.0) return;
@@ -44,17 +45,17 @@ void add_box(const Point& a, const Point& b, double y, double near, double& low,
     first = std::max(first, std::min(one, other));
     last = std::min(last, std::max(one, other));
   };
-  clip(u.x, (y - a.y) * u.y, 0.0, length);   // along, as a function of x - a.x
-  clip(-u.y, (y - a.y) * u.x, -near, near);  // aside
+  clip(u.x, (y - a.y) * u.y, 0.0, length);   // Place along the segment, as a function of x - a.x.
+  clip(-u.y, (y - a.y) * u.x, -near, near);  // Place beside the segment.
   if (first > last) return;
   low = std::min(low, a.x + first);
   high = std::max(high, a.x + last);
 }
 
-/// The room around a place of the middle line is concave along it: the widest place is found by
-/// thirds, then the nearest one that is hardly less wide.
+/// Widest disc on the middle line of an outline. The room around a place is concave along the line,
+/// so thirds find the widest place, then bisection the nearest one hardly less wide.
 Disc widest_disc_in(const Polygon& outline, const Footprint& box) {
-  constexpr double hardly_less = 1e-6;  // of the radius
+  constexpr double hardly_less = 1e-6;  // Relative loss of radius.
   constexpr int steps = 100;
   const auto room = [&](double ahead) { return -geometry::signed_distance(outline, {ahead, 0.0}); };
   double low = -box.rear;
@@ -125,12 +126,12 @@ OpenRows::OpenRows(const Task& task, const Bounds& box, double side, double near
               map_box_.y_max + reach};
 }
 
-/// In cells from the middle of the first one; a place beside the lattice just beside it.
+/// Place in cells from the middle of the first one; places outside the lattice are clamped to it.
 double OpenRows::place_of(double x) const noexcept {
   return std::clamp((x - box_.x_min) / side_ - 0.5, -1.0, columns_ + 0.0);
 }
 
-/// All cells whose middle is in there.
+/// Closes all cells whose middle lies between two places.
 void OpenRows::close(double low, double high) {
   const auto first = std::max(0, static_cast<std::int32_t>(std::ceil(place_of(low))));
   const auto last = static_cast<std::int32_t>(std::floor(place_of(high)));
@@ -146,7 +147,7 @@ std::size_t OpenRows::band_of(double y) const noexcept {
 void OpenRows::sort_into_bands() {
   const double height = box_.y_max - box_.y_min;
   if (height > 0.0) {
-    double sum = 0.0;  // of the heights of all sides, within the box
+    double sum = 0.0;  // Sum of the heights of all sides within the box [m].
     for (const Side& side : sides_) {
       sum += std::max(0.0, std::min(side.y_max, box_.y_max) - std::max(side.y_min, box_.y_min));
     }
@@ -161,7 +162,7 @@ void OpenRows::sort_into_bands() {
   std::uint32_t sum = 0;
   for (std::uint32_t& begin : band_begins_) begin = sum += begin;
   band_sides_.resize(sum);
-  for (std::size_t s = sides_.size(); s-- > 0;) {  // from behind: their order is kept
+  for (std::size_t s = sides_.size(); s-- > 0;) {  // Backwards, so that the order is kept.
     const Side& side = sides_[s];
     for (std::size_t i = band_of(side.y_min); i <= band_of(side.y_max); ++i) {
       band_sides_[--band_begins_[i]] = static_cast<std::uint32_t>(s);
@@ -184,7 +185,8 @@ void OpenRows::close_near_sides(double y) {
   }
 }
 
-/// Where the field says how far the next obstacle is, as many cells are settled at once.
+/// Closes cells near the map. Where the distance field knows the next obstacle's distance, many
+/// cells are decided at once.
 void OpenRows::close_near_map(double y) {
   const Surroundings& ground = task_->world->local();
   if (!ground.map) return;

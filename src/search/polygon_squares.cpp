@@ -8,7 +8,8 @@
 namespace vandplan::search {
 namespace {
 
-constexpr double polygons_of_square = 2.0;  // as many as there would be if they lay evenly
+// Mean number of polygons in a square, if they lay evenly.
+constexpr double polygons_of_square = 2.0;
 constexpr double most_squares = 1e6;
 constexpr std::int32_t most_columns = 1 << 15;
 constexpr std::int64_t squares_of_large = 64;
@@ -33,7 +34,7 @@ PolygonSquares::PolygonSquares(std::span<const Polygon> polygons) : polygons_(po
   columns_ = static_cast<std::int32_t>(width / side_) + 1;
   rows_ = static_cast<std::int32_t>(height / side_) + 1;
   begins_.assign(index_of(0, rows_) + 1, 0);
-  // Counted first, then put in their places from behind, so that their order is kept.
+  // Polygons are counted, then placed from the back, so that their order is kept.
   const auto for_squares = [&](const Bounds& box, auto visit) {
     for (std::int32_t y = row(box.y_min); y <= row(box.y_max); ++y) {
       for (std::int32_t x = column(box.x_min); x <= column(box.x_max); ++x) visit(index_of(x, y));

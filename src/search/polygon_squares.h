@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which of very many polygons are about here?
+// Which of many polygons are near a place?
 
 #include <cstdint>
 #include <span>
@@ -11,15 +11,15 @@
 
 namespace vandplan::search {
 
-/// Polygons by the squares of the plane that their boxes reach into. Made in one pass, so that it
-/// may be made for a single plan. Immutable.
+/// Index of polygons by squares of the plane that their bounding boxes touch. It is built in one
+/// pass, fast enough to build it for a single plan. Immutable.
 class PolygonSquares {
  public:
-  /// The polygons outlive it.
+  /// The polygons must outlive the index.
   explicit PolygonSquares(std::span<const Polygon> polygons);
 
-  /// Calls `visit(polygon)` for every polygon whose box overlaps `box`, and for some others; for
-  /// some of them more than once.
+  /// Calls `visit(polygon)` for each polygon whose bounding box overlaps `box`. It may also visit
+  /// other polygons, and a polygon more than once.
   template <typename Visit>
   void visit_near(const Bounds& box, Visit visit) const {
     for (const std::uint32_t i : large_) visit(polygons_[i]);
@@ -46,12 +46,12 @@ class PolygonSquares {
 
   std::span<const Polygon> polygons_;
   Bounds extent_ = {};
-  double side_ = 1.0;  // of a square [m]
+  double side_ = 1.0;  // Side of a square [m].
   std::int32_t columns_ = 0;
   std::int32_t rows_ = 0;
-  std::vector<std::uint32_t> begins_;   // of each square in `members_`, and the end
-  std::vector<std::uint32_t> members_;  // polygons, square by square
-  std::vector<std::uint32_t> large_;    // polygons that reach into very many squares
+  std::vector<std::uint32_t> begins_;   // First place of each square in `members_`, and the end.
+  std::vector<std::uint32_t> members_;  // Numbers of polygons, square by square.
+  std::vector<std::uint32_t> large_;    // Numbers of polygons that touch very many squares.
 };
 
 }  // namespace vandplan::search

@@ -17,18 +17,19 @@ namespace vandplan::search {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double slack = 1e-5;            // of lengths [m]; more than the judge's and rounding
-constexpr double angle_slack = 2e-6;      // likewise [rad]
-constexpr double curvature_slack = 1e-9;  // of the curvature, relative: what the judge allows
-constexpr double headings_of_cell = 4.0;  // that the farthest point moves by as much as a side
+constexpr double slack = 1e-5;        // Slack of lengths [m]; larger than the judge's and rounding.
+constexpr double angle_slack = 2e-6;  // Slack of headings [rad]; larger than the judge's.
+constexpr double curvature_slack = 1e-9;  // Relative slack of the curvature, as the judge allows.
+// Headings for a reach of the body as long as a cell's side.
+constexpr double headings_of_cell = 4.0;
 constexpr double most_headings = 4096.0;
 constexpr double most_cells = 2e6;
-constexpr int parts = 4;                 // of a cell's side, each a cell for the ways around
-constexpr std::int32_t cells_apart = 2;  // of places looked at to see how wide the ways are
+constexpr int parts = 4;  // Parts of a cell's side; each part is a cell for ways around.
+constexpr std::int32_t cells_apart = 2;  // Distance of the places that show how wide the ways are.
 constexpr std::size_t most_boxes = 16'000'000;
 
-/// The body of a vehicle without all that is nearer to its border than so much, and its wheels;
-/// its rear axle is `along` ahead of the vehicle's.
+/// Core of a vehicle: its body and wheels without a border. Removes `along` at front and rear, and
+/// `across` at each side; the core's rear axle is `along` ahead of the vehicle's.
 Vehicle core_of(Vehicle vehicle, double along, double across) {
   vehicle.wheelbase -= 2 * along;
   vehicle.width -= 2 * across;
@@ -83,7 +84,8 @@ PoseBoxes::PoseBoxes(const Task& task, double side, double longest, GearSign onl
   rows_ = (lattice.rows() + parts - 1) / parts;
   const Point start = lattice.in_cells(centre_of(disc_, task.start));
   const Point goal = lattice.in_cells(centre_of(disc_, task.goal));
-  const double longest_way = longest * stretch_ / part + 2;  // for all places of a cell
+  // Long enough for all places of a cell.
+  const double longest_way = longest * stretch_ / part + 2;
   from_start_ = GeodesicField(lattice, start, goal, longest_way);
   to_goal_ = GeodesicField(lattice, goal, start, longest_way);
   index_.assign(static_cast<std::size_t>(columns_of_row_) * static_cast<std::size_t>(rows_), -1);
@@ -99,7 +101,7 @@ bool PoseBoxes::prepare(std::int64_t work) {
 
 bool PoseBoxes::is_full() const noexcept { return least_lengths_.size() > most_boxes; }
 
-/// Of the disc's centre to the places of a part, in metres of the rear axle.
+/// Range of the disc's way to the places of a part, in metres of the rear axle.
 PoseBoxes::Range PoseBoxes::way(GeodesicField& field, const Point& part) const {
   const double side = side_ / parts;
   const double off = side * std::sqrt(0.5) + slack;
@@ -161,9 +163,9 @@ std::array<PoseBoxes::Id, 6> PoseBoxes::neighbours(Id box) {
           first + (heading + headings_ - 1) % headings_};
 }
 
-/// What no path in the one gear is shorter than between an end and a pose of the box [m], on open
-/// ground. A path to an end is one from it, driven backwards; one in reverse goes forward if both
-/// of its ends are turned around.
+/// Lower bound on a path in the one gear between an end and a pose of the box, on open ground [m].
+/// A path to an end is one from it, driven backwards. A path in reverse goes forward if both ends
+/// are turned around.
 double PoseBoxes::length_in_gear(const Pose& end, const Pose& middle, bool is_start) const {
   const bool is_turned = (only_ > 0) != is_start;
   const auto pose = [&](const Pose& p) {
@@ -175,7 +177,7 @@ double PoseBoxes::length_in_gear(const Pose& end, const Pose& middle, bool is_st
          (1 - curvature_slack);
 }
 
-/// What no path is shorter than between an end and a pose of the box [m], on open ground.
+/// Lower bound on a path between an end and a pose of the box, on open ground [m].
 double PoseBoxes::turning_length(const Pose& end, const Pose& middle, bool is_start) const {
   if (only_ != 0) return length_in_gear(end, middle, is_start);
   const double radius = task_.vehicle.min_turning_radius;
@@ -189,7 +191,8 @@ double PoseBoxes::turning_length(const Pose& end, const Pose& middle, bool is_st
   return (length - slope * shift_ - turn) * (1 - curvature_slack);
 }
 
-/// Whether the body hits something at all poses of the box. Beyond the bounds nobody knows.
+/// Whether the body hits an obstacle at all poses of the box. False outside the bounds, where
+/// obstacles are not known.
 bool PoseBoxes::is_hit(const Pose& middle) const {
   if (!core_) return false;
   const auto [sin, cos] = base::sin_cos(middle.heading);

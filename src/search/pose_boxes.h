@@ -3,9 +3,9 @@
 #pragma once
 // How long is a path at least that passes through a box of poses?
 //
-// A box is a cell of a lattice, for the centre of a disc that the body holds, and an interval of
-// headings. It is closed if no path comes by, or none that is short enough.
-// docs/algorithms/anytime.md, "The bound", says why.
+// A box is a cell of a lattice, for the centre of a disc in the body, and an interval of headings.
+// A box is closed if no path, or none short enough, passes through it. Proof:
+// docs/proofs/anytime_bounds.md.
 
 #include <array>
 #include <cstdint>
@@ -18,76 +18,77 @@
 
 namespace vandplan::search {
 
+/// Boxes of poses around all paths up to a length, each with a lower bound on the paths through it.
 class PoseBoxes {
  public:
   using Id = std::uint32_t;
   struct Range {
     double least, most;
   };
-  /// What is known of all poses of a box [m]: ways of the disc's centre from the start and to the
-  /// goal, and what a path needs from the start and to the goal, as far as ways and turns tell.
+  /// Bounds for all poses of a box [m]. Ways: of the disc's centre, from the start and to the goal.
+  /// `from_start`, `to_goal`: lower bounds on paths, by ways around obstacles and by turning.
   struct Box {
     Pose middle;
     Range way_from_start, way_to_goal;
     double from_start, to_goal;
   };
-  /// A cell where the disc's centre may be at some distance from the start, and how far it is from
-  /// there to the goal [m].
+  /// Cell where the disc's centre can be at some distance from the start, and its way to the goal
+  /// [m].
   struct Crossing {
     std::int32_t x, y;
     Range way_to_goal;
   };
 
-  /// Boxes of cells of `side` [m] around all ways up to `longest` [m]. The paths are in the gear
-  /// `only`; 0: in both gears. Where `is_usable` is false nothing is to be asked: such boxes prove
-  /// nothing, or are too many.
+  /// Boxes of cells with side `side` [m] around all ways up to `longest` [m]. `only`: gear of all
+  /// paths, 0 for both. If `is_usable` is false afterwards, the boxes are too many or too coarse to
+  /// prove anything, and nothing may be asked.
   PoseBoxes(const Task& task, double side, double longest, GearSign only = 0);
   PoseBoxes(const PoseBoxes&) = delete;
   PoseBoxes& operator=(const PoseBoxes&) = delete;
 
   [[nodiscard]] bool is_usable() const noexcept { return is_usable_; }
-  /// Measures the ways around, which it takes before anything is asked: some work. True when that
-  /// is done.
+  /// Does some of the work of measuring ways around obstacles, which must be finished before
+  /// queries. True when it is finished.
   bool prepare(std::int64_t work);
 
-  /// The box that holds a pose of the task.
+  /// Box that contains a pose of the task.
   [[nodiscard]] Id box_of(const Pose& pose);
-  /// The six boxes that share a side with one; its own number where the lattice ends.
+  /// The six boxes that share a face with a box; the box itself where the lattice ends.
   [[nodiscard]] std::array<Id, 6> neighbours(Id box);
-  /// No path through the box is shorter [m]; infinite if it is closed.
+  /// Lower bound on the length of all paths through a box [m]; infinite if it is closed.
   [[nodiscard]] float least_length(Id box);
-  /// Boxes so far have numbers below this; more come with their neighbours.
+  /// Number of boxes so far, above all their ids. Neighbours add boxes.
   [[nodiscard]] std::size_t size() const noexcept { return least_lengths_.size(); }
   [[nodiscard]] bool is_full() const noexcept;
-  /// How many boxes were looked at so far.
+  /// Number of boxes whose length was computed so far.
   [[nodiscard]] std::int64_t looks() const noexcept { return looks_; }
 
   [[nodiscard]] Id headings() const noexcept { return headings_; }
   [[nodiscard]] double side() const noexcept { return side_; }
   [[nodiscard]] double longest() const noexcept { return longest_; }
-  /// How far a pose of a box is from its middle, at most: the rear axle [m] and the heading [rad].
+  /// Largest distance of a box's poses from its middle: of the rear axle [m], and in heading [rad].
   [[nodiscard]] double shift() const noexcept { return shift_; }
   [[nodiscard]] double half_turn() const noexcept { return half_turn_; }
 
-  /// A box that was looked at.
+  /// Bounds of a box, which must have an id already.
   [[nodiscard]] Box box(Id id) const;
   [[nodiscard]] Range way_from_start(Id id) const { return columns_[id / headings_].from_start; }
-  /// The pose in the midst of two boxes of a cell, by their headings.
+  /// Pose halfway between the middles of two boxes of one cell, which differ in heading.
   [[nodiscard]] Pose between(Id first, Id last) const;
-  /// The first of the boxes of a cell, one for each heading.
+  /// First box of a cell; one box for each heading follows.
   [[nodiscard]] Id first_of(std::int32_t x, std::int32_t y) { return column_at(x, y) * headings_; }
   [[nodiscard]] std::int32_t rows() const noexcept { return rows_; }
-  /// All cells of a row where a path crosses that distance from the start [m].
+  /// Cells of a row that a path crosses at `distance` from the start [m].
   [[nodiscard]] std::vector<Crossing> crossings(std::int32_t y, double distance);
-  /// How far some places of a row of cells are from the start: those on ways that are short enough.
+  /// Distances from the start of some places in a row of cells, where short enough ways pass [m].
   [[nodiscard]] std::vector<double> distances(std::int32_t y);
 
  private:
-  /// Boxes of one cell.
+  /// All boxes of one cell, one for each heading.
   struct Column {
     std::int32_t x, y;
-    Range from_start, to_goal;  // for the disc's centre [m]; infinite if it is closed
-    double in_all;              // of both, at least
+    Range from_start, to_goal;  // Ways of the disc's centre [m]; infinite if closed.
+    double in_all;              // Lower bound on the sum of both ways [m].
   };
 
   [[nodiscard]] Id column_at(std::int32_t x, std::int32_t y);
@@ -100,23 +101,24 @@ class PoseBoxes {
 
   const Task& task_;
   Disc disc_;
-  double stretch_;  // the centre goes so much further than the rear axle
-  double side_;     // of a cell [m]
-  double longest_;  // [m]
-  GearSign only_;   // gear of all paths; 0: both
+  double stretch_;  // Metres that the disc's centre moves for each metre of the rear axle, at most.
+  double side_;     // Side of a cell [m].
+  double longest_;  // Longest paths of interest [m].
+  GearSign only_;   // Gear of all paths; 0: both.
   Bounds box_;
   Id headings_;
-  double half_turn_ = 0.0;  // half of an interval of headings [rad]
-  double shift_ = 0.0;      // of the rear axle in a box from that of its middle, at most [m]
-  double ahead_ = 0.0;      // the core begins so far ahead of the rear axle [m]
-  std::shared_ptr<const CollisionChecker> core_;  // of what the body covers at all poses of a box
+  double half_turn_ = 0.0;  // Half an interval of headings [rad].
+  double shift_ = 0.0;      // Largest distance of a rear axle in a box from that of its middle [m].
+  double ahead_ = 0.0;      // Distance from the vehicle's rear axle to that of the core [m].
+  /// Checker of the core, the part of the body that is covered at all poses of a box.
+  std::shared_ptr<const CollisionChecker> core_;
   bool is_usable_ = false;
   GeodesicField from_start_, to_goal_;
   std::int32_t columns_of_row_ = 0, rows_ = 0;
-  std::vector<std::int32_t> index_;  // of the column of a cell; -1: not looked at
+  std::vector<std::int32_t> index_;  // Column of each cell; -1: not looked at.
   std::vector<Column> columns_;
   std::int64_t looks_ = 0;
-  std::vector<float> least_lengths_;  // below 0: not looked at
+  std::vector<float> least_lengths_;  // Lower bounds of boxes [m]; negative: not computed.
 };
 
 }  // namespace vandplan::search

@@ -13,14 +13,15 @@ namespace vandplan::search {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double slack = 2e-5;            // of lengths [m]; more than the judge's and rounding
-constexpr double angle_slack = 1e-6;      // for headings in float [rad]
-constexpr double float_slack = 1e-6;      // of places and lengths in float, relative
-constexpr double length_slack = 1e-5;     // of lengths among poses in float, relative
-constexpr double curvature_slack = 1e-9;  // of the curvature, relative: what the judge allows
-constexpr double turns_near = 3.0;        // where a cut tells something new [turning radii]
-constexpr double turns_of_end = 1.0;      // no cut is nearer to the start or the goal
-constexpr double cells_of_place = 4.0;    // that are counted together
+constexpr double slack = 2e-5;        // Slack of lengths [m]; larger than the judge's and rounding.
+constexpr double angle_slack = 1e-6;  // Slack of headings in float [rad].
+constexpr double float_slack = 1e-6;  // Relative slack of places and lengths in float.
+constexpr double length_slack = 1e-5;     // Relative slack of lengths between poses in float.
+constexpr double curvature_slack = 1e-9;  // Relative slack of the curvature, as the judge allows.
+constexpr double turns_near = 3.0;  // Range of a cut, where it improves bounds [turning radii].
+// Least distance of a cut from start and goal [turning radii].
+constexpr double turns_of_end = 1.0;
+constexpr double cells_of_place = 4.0;  // Width of a bin of distances [cells].
 constexpr std::size_t most_boxes = 8192;
 constexpr PoseBoxes::Id boxes_of_group = 8;
 constexpr int groups_of_step = 4;
@@ -111,12 +112,12 @@ bool PoseCut::is_near(PoseBoxes::Id id) const {
   return off >= 0 && off <= turns_near * radius_;
 }
 
-/// From the start, as floats are finest near nothing.
+/// Pose relative to the start, since floats are finest near zero.
 Pose PoseCut::seen(const Pose& pose) const {
   return {pose.x - task_.start.x, pose.y - task_.start.y, pose.heading};
 }
 
-/// What no path is shorter than between poses of two boxes [m], on open ground.
+/// Lower bound on a path between poses of two boxes on open ground [m].
 double PoseCut::turning_length(const Target& target, const Poses& poses, std::size_t i,
                                float length_of_middles, const Play& play) const {
   const double dx = static_cast<double>(poses.x[i]) - target.middle.x;
@@ -128,7 +129,7 @@ double PoseCut::turning_length(const Target& target, const Poses& poses, std::si
   return length - length_slack * (length + radius_) - slope * play.shift - play.turn;
 }
 
-/// What a path needs at least between an end and the box, through boxes of a group.
+/// Lower bound on a path between an end and the box, through boxes of a group [m].
 double PoseCut::length_by(const Target& target, const Group& group, const Needs& needs,
                           double turning) const {
   const double before = target.is_beyond ? needs.from_start : needs.to_goal;
@@ -136,7 +137,7 @@ double PoseCut::length_by(const Target& target, const Group& group, const Needs&
                             group.way_to_goal.least - target.way_to_goal.most});
 }
 
-/// The least one of the boxes of a group, if that is below `least`.
+/// Least bound through the boxes of a group if it is below `least`, otherwise `least` [m].
 double PoseCut::least_of(const Target& target, const Group& group, double least, Index& by) {
   const std::size_t size = group.end - group.first;
   const auto part = [&](const std::vector<float>& all) {

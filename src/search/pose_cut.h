@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What does a path need at least that has to go through a narrow place?
+// How long is a path at least that has to pass a narrow place?
 //
-// At some distance from the start the ways are narrowest. All paths cross it there, in one of few
-// boxes. So a path through a box beyond needs at least what leads to the best of them and on to the
-// box; likewise to the goal. docs/algorithms/anytime.md, "The bound", says why.
+// At some distance from the start the ways are narrowest. All paths cross that distance in one of
+// few boxes. So a path through a box beyond needs at least the way to the best of these boxes and
+// on from there. The goal's side is symmetric. Proof: docs/proofs/anytime_bounds.md.
 
 #include <cstdint>
 #include <span>
@@ -16,55 +16,56 @@
 
 namespace vandplan::search {
 
-/// The boxes where paths cross that distance.
+/// Boxes where paths cross one distance from the start, and lower bounds through them.
 class PoseCut {
  public:
-  /// One of them.
+  /// Number of a box of the cut.
   using Index = std::uint16_t;
   static constexpr Index none = 0xffff;
 
-  /// Task and boxes outlive it; the boxes are prepared.
+  /// Task and boxes must outlive the cut; the boxes must be prepared.
   PoseCut(const Task& task, PoseBoxes& boxes);
 
-  /// Looks for the place and its boxes, some work. True when that is done.
+  /// Does some of the search for the distance and its boxes. True when it is finished.
   bool prepare();
-  /// Whether there is such a place, and few boxes there.
+  /// Whether a cut was found and has few boxes.
   [[nodiscard]] bool is_usable() const noexcept { return is_usable_; }
 
-  /// Whether the cut may say more of a box than its own least length.
+  /// Whether the cut may give a better bound for a box than the box's own least length.
   [[nodiscard]] bool is_near(PoseBoxes::Id id) const;
-  /// No path through an open box is shorter [m]. Once it is known to be at most `enough` it may be
-  /// any such length. `by` is a box of the cut that may be the best one; then it is.
+  /// Lower bound on the length of paths through an open box [m] if it is above `enough`; otherwise
+  /// some length up to `enough`. `by`: on entry a guess of the best box of the cut, on return the
+  /// best one known.
   [[nodiscard]] float least_length(PoseBoxes::Id id, double enough, Index& by);
-  /// How many lengths it has worked out.
+  /// Number of Reeds-Shepp lengths computed so far.
   [[nodiscard]] std::int64_t lengths() const noexcept { return lengths_; }
 
  private:
-  /// Middles of boxes, from the start.
+  /// Middles of boxes, relative to the start.
   struct Poses {
     std::vector<float> x, y, heading;
     void add(const Pose& pose);
   };
-  /// How far two poses are from the middles of their boxes, in all: the way and the turn [m].
+  /// Largest total distance of two poses from the middles of their boxes: way and turn [m].
   struct Play {
     double shift, turn;
   };
-  /// What is needed from the start and to the goal [m].
+  /// Lower bounds on paths from the start and to the goal [m].
   struct Needs {
     double from_start, to_goal;
   };
-  /// Boxes of a cell whose headings follow each other, and the least that one of them needs.
+  /// Boxes of a cell with consecutive headings, and the least bounds among them.
   struct Group {
     std::size_t first, end;
     Needs needs;
     PoseBoxes::Range way_to_goal;
   };
-  /// A box that is asked for, its middle from the start.
+  /// Box in question; its middle is relative to the start.
   struct Target {
     Pose middle;
     PoseBoxes::Range way_to_goal;
-    double way;  // from the cut
-    bool is_beyond;
+    double way;      // Distance from the cut [m].
+    bool is_beyond;  // Whether the box lies on the goal's side of the cut.
   };
 
   [[nodiscard]] Pose seen(const Pose& pose) const;
@@ -81,18 +82,20 @@ class PoseCut {
   PoseBoxes& boxes_;
   double radius_;
   Play play_, group_play_;
-  double distance_ = 0.0;  // from the start [m]
+  double distance_ = 0.0;  // Distance of the cut from the start [m].
   bool is_usable_ = true;
-  std::int32_t row_ = 0;              // of cells: looked at once to choose, once to find the boxes
-  std::vector<std::int32_t> places_;  // how many there are, by distance
-  std::vector<PoseBoxes::Crossing> cells_;  // whose boxes are yet to be found,
-  PoseBoxes::Id heading_ = 0;               // in the last one from here on
+  /// Row of cells handled next: first all rows to choose the distance, then all to find boxes.
+  std::int32_t row_ = 0;
+  std::vector<std::int32_t> places_;        // Number of places at each distance.
+  std::vector<PoseBoxes::Crossing> cells_;  // Cells whose boxes are not found yet.
+  PoseBoxes::Id heading_ = 0;  // Heading in the last of `cells_` where the work goes on.
   std::vector<Needs> needs_;
   Poses poses_;
   std::vector<Index> group_of_;
   std::vector<Group> groups_;
   Poses group_poses_;
-  std::vector<float> from_boxes_, from_groups_;  // lengths to a pose, on open ground
+  /// Reeds-Shepp lengths to a target on open ground [m].
+  std::vector<float> from_boxes_, from_groups_;
   std::int64_t lengths_ = 0;
 };
 

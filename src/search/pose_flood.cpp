@@ -8,15 +8,16 @@
 namespace vandplan::search {
 namespace {
 
-constexpr double coarsest = 0.25;  // cell of the first lattice [disc radii]
-constexpr double finest = 1.0 / 512;
-constexpr double finer = 0.5;      // each lattice than the one before
-constexpr int nodes_of_step = 32;  // of the ways around
+constexpr double coarsest = 0.25;     // Cell of the first lattice [disc radii].
+constexpr double finest = 1.0 / 512;  // Cell of the last lattice [disc radii].
+constexpr double finer = 0.5;         // Cell of a lattice, as a share of the one before.
+constexpr int nodes_of_step = 32;     // Nodes of the ways around, in one call.
+// // Work is in units of about 0.1 microseconds.
 constexpr std::int64_t work_of_step = 96;
-constexpr std::int64_t work_of_look = 4;     // at a box
-constexpr std::int64_t lengths_of_work = 6;  // to boxes of a cut
-constexpr std::int64_t turns_of_leader = 3;  // for one of the other flood
-constexpr double worth_a_cut = 1.004;        // of the bound without it
+constexpr std::int64_t work_of_look = 4;     // Work of looking at a box.
+constexpr std::int64_t lengths_of_work = 6;  // Lengths to boxes of a cut that take one unit.
+constexpr std::int64_t turns_of_leader = 3;  // Turns of the leading flood for one of the other.
+constexpr double worth_a_cut = 1.004;        // Factor on the bound from which cuts are used again.
 
 }  // namespace
 
@@ -53,10 +54,10 @@ void PoseFlood::reach(PoseBoxes::Id box, std::size_t flood, PoseCut::Index by) {
   if (length != std::numeric_limits<float>::infinity()) open_[flood].push({length, box, by});
 }
 
-// To the neighbours of the box of the least length. False when there is no more to be proven here.
+// Expands the box of the least length. False when these boxes can prove nothing more.
 bool PoseFlood::spread(std::size_t flood) {
   Queue& open = open_[flood];
-  if (open.empty()) {  // no path is as short as the longest
+  if (open.empty()) {  // Every path is longer than the longest of interest.
     bound_ = std::max(bound_, longest_);
     return false;
   }
@@ -68,7 +69,7 @@ bool PoseFlood::spread(std::size_t flood) {
   if (cut_ && !entry.knows_cut && cut_->is_near(entry.box)) {
     const float length = cut_->least_length(entry.box, bound_, entry.by);
     if (static_cast<double>(length) > longest_) return true;
-    if (static_cast<double>(length) > bound_) {  // its turn comes later
+    if (static_cast<double>(length) > bound_) {  // The box is expanded later.
       open.push({length, entry.box, entry.by, true});
       return true;
     }
@@ -79,7 +80,7 @@ bool PoseFlood::spread(std::size_t flood) {
   return true;
 }
 
-// With a cut the flood that came further before has most turns.
+// Flood whose turn it is. With a cut, the flood that came further before has most turns.
 std::size_t PoseFlood::next_flood() {
   if (!cut_) return static_cast<std::size_t>(visits_ % 2);
   return visits_ % (turns_of_leader + 1) < turns_of_leader ? leader_ : 1 - leader_;
@@ -91,7 +92,7 @@ void PoseFlood::begin_cut() {
   uncut_bound_ = bound_;
 }
 
-// Once a cut was of use the next boxes are not flooded without one.
+// If a cut was of use, the next boxes are flooded only with a cut.
 void PoseFlood::prepare() {
   is_prepared_ = boxes_->prepare(nodes_of_step);
   if (!is_prepared_ || !boxes_->is_usable()) return;
@@ -112,7 +113,8 @@ void PoseFlood::prepare_cut() {
   use_of_cuts_ = Use::none;
 }
 
-// What comes when these floods can prove no more. False when that is nothing.
+// Chooses what follows when the floods can prove no more: a cut, or finer boxes. False if boxes are
+// full.
 bool PoseFlood::next_boxes() {
   const bool is_full = boxes_->is_full();
   if (!is_full && !cut_ && use_of_cuts_ == Use::unknown) {
@@ -125,7 +127,7 @@ bool PoseFlood::next_boxes() {
   return !is_full;
 }
 
-/// In tenths of a microsecond, about.
+/// Work done so far, in units of about 0.1 microseconds.
 std::int64_t PoseFlood::work() const {
   return visits_ + work_of_look * boxes_->looks() + (cut_ ? cut_->lengths() / lengths_of_work : 0);
 }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How far is it at least, for a body that has to turn between the obstacles? A proven bound.
+// How long is a path at least, for a body that has to turn between obstacles? A proven lower bound.
 //
-// A path leads from box to box of poses (pose_boxes.h), none of which may need a longer path. Two
-// floods, from the start and from the goal, go to the box of the least length that they touch: no
-// path is shorter than the greatest one that a flood has come to. Where all paths go through a
-// narrow place, boxes near it need what leads through that (pose_cut.h).
-// docs/algorithms/anytime.md, "The bound".
+// A path leads from box to box of poses (pose_boxes.h); none of its boxes may need a longer path.
+// Two floods, from the start and from the goal, always expand the reached box of the least length.
+// No path is shorter than the largest length that a flood has expanded. If all paths pass a narrow
+// place, boxes near it get a better bound (pose_cut.h). Proof: docs/proofs/anytime_bounds.md.
 
 #include <array>
 #include <cstdint>
@@ -21,25 +20,25 @@
 
 namespace vandplan::search {
 
-/// Boxes of several sizes follow each other, from coarse to fine. The bound only rises.
+/// Lower bound by floods of boxes, with cells that become smaller. The bound only rises.
 class PoseFlood {
  public:
-  /// The paths are in the gear `only`; 0: in both gears. The task outlives the flood.
+  /// `only`: gear of all paths, 0 for both. The task must outlive the flood.
   explicit PoseFlood(const Task& task, GearSign only = 0);
 
-  /// Goes on, about 20 microseconds of work. Takes no notice of paths that are longer than
-  /// `longest` [m]. False when the bound is final.
+  /// Does about 20 microseconds of work. Ignores paths longer than `longest` [m]. False when the
+  /// bound is final.
   bool step(double longest);
 
-  /// Length of no path is below this [m].
+  /// Lower bound on the length of all paths [m].
   [[nodiscard]] double bound() const noexcept { return bound_; }
 
  private:
   struct Entry {
     float length;
     PoseBoxes::Id box;
-    PoseCut::Index by = PoseCut::none;  // the best box of the cut, as far as is known
-    bool knows_cut = false;             // the length does
+    PoseCut::Index by = PoseCut::none;  // Best box of the cut known so far.
+    bool knows_cut = false;             // Whether `length` includes the bound of the cut.
     bool operator<(const Entry& other) const {
       return length != other.length ? length > other.length : box > other.box;
     }
@@ -60,19 +59,20 @@ class PoseFlood {
 
   const Task& task_;
   GearSign only_;
-  double side_;  // of a cell [m]
+  double side_;  // Side of a cell [m].
   double longest_ = 0.0;
   std::unique_ptr<PoseBoxes> boxes_;
   bool is_prepared_ = false;
   std::unique_ptr<PoseCut> cut_;
   bool is_cut_prepared_ = false;
-  double uncut_bound_ = 0.0;  // what was known without it [m]
+  double uncut_bound_ = 0.0;  // Bound reached without the cut [m].
   Use use_of_cuts_ = Use::unknown;
   std::array<Queue, 2> open_;
-  std::vector<std::uint8_t> reached_;  // by the one flood: 1, by the other: 2
-  std::array<float, 2> levels_{};      // that they have come to [m]
-  std::size_t leader_ = 0;             // which one came further before
-  std::int64_t visits_ = 0;            // of boxes
+  /// Floods that reached each box: bit 0 from the start, bit 1 from the goal.
+  std::vector<std::uint8_t> reached_;
+  std::array<float, 2> levels_{};  // Greatest length that each flood has expanded [m].
+  std::size_t leader_ = 0;         // Flood that came further with the boxes before.
+  std::int64_t visits_ = 0;        // Number of boxes expanded.
   double bound_ = 0.0;
 };
 

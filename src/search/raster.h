@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How far is it from cell to cell of a guide, and from a cell to the side of a polygon?
+// How far is it between cells of a guide's grid, and from a point to the side of a polygon?
 
 #include <algorithm>
 #include <cstdint>
@@ -11,25 +11,24 @@
 
 namespace vandplan::search {
 
-/// A cell of a grid, by column and row.
+/// Cell of a grid: column and row.
 struct RasterCell {
   std::int32_t x = 0, y = 0;
   bool operator==(const RasterCell&) const = default;
 };
 
-/// What a step to a neighbour costs, in fifths of a cell: 5 and 7, as their ratio is near the
-/// square root of two.
+/// Cost of a step to a neighbour [1/5 cell]. The ratio 7 / 5 is near the square root of two.
 inline constexpr std::int32_t straight_cost = 5;
 inline constexpr std::int32_t diagonal_cost = 7;
 
-/// The cost of the way between two cells where nothing is blocked: no other way costs less.
+/// Least cost of a way between two cells [1/5 cell]; reached where nothing is blocked.
 [[nodiscard]] inline std::int32_t cost_between(const RasterCell& a, const RasterCell& b) noexcept {
   const std::int32_t dx = std::abs(a.x - b.x);
   const std::int32_t dy = std::abs(a.y - b.y);
   return straight_cost * std::max(dx, dy) + (diagonal_cost - straight_cost) * std::min(dx, dy);
 }
 
-/// The square of the distance from a point to the side from `a` to `b` [m^2].
+/// Squared distance from a point to the line segment from `a` to `b` [m^2].
 [[nodiscard]] inline double squared_distance(const Point& p, const Point& a,
                                              const Point& b) noexcept {
   const double ux = b.x - a.x;
@@ -42,7 +41,7 @@ inline constexpr std::int32_t diagonal_cost = 7;
   return dx * dx + dy * dy;
 }
 
-/// Where the side from `a` to `b` crosses a height; beyond an end, that end.
+/// The x where the line segment from `a` to `b` crosses a height; beyond an end, the x of that end.
 [[nodiscard]] inline double place_at(const Point& a, const Point& b, double height) noexcept {
   if (a.y == b.y) return height < a.y ? a.x : b.x;
   return a.x + std::clamp((height - a.y) / (b.y - a.y), 0.0, 1.0) * (b.x - a.x);

@@ -8,12 +8,12 @@
 namespace vandplan::search {
 namespace {
 
-constexpr double cells_of_width = 4.0;  // of the vehicle
+constexpr double cells_of_width = 4.0;  // Cells across the vehicle's width.
 constexpr double most_cells = 160'000.0;
-// From disc to disc, in their radii: halfway between two the body is as much wider than they are as
-// it is narrower beside their middles.
+// Largest distance between discs [inner radii]. Halfway between two discs the body sticks out as
+// far as the discs stick out beside their middles.
 constexpr double spacing = 1.4;
-constexpr std::int64_t looks_of_step = 2000;  // at cells beside sides
+constexpr std::int64_t looks_of_step = 2000;  // Cells beside sides that one call looks at.
 
 }  // namespace
 
@@ -67,7 +67,7 @@ std::int32_t Room::row_of(double y) const noexcept {
   return static_cast<std::int32_t>(std::clamp((y - box_.y_min) / side_, 0.0, rows_ - 1.0));
 }
 
-/// Notes how far the side is. Returns at how many cells it looked.
+/// Stores the distance to a side in the cells around it. Returns the number of cells it looked at.
 std::int64_t Room::mark(const Point& a, const Point& b) {
   std::int64_t looks = 1;
   const std::int32_t last_row = row_of(std::max(a.y, b.y) + furthest_);
@@ -99,7 +99,8 @@ bool Room::step() {
   return polygon_ < obstacles.size();
 }
 
-/// From the centre of a cell. Most cells are never asked for, and a map takes long to look all up.
+/// Distance from the centre of a cell [m]. A map is looked up on demand: most cells are never asked
+/// for, and looking all up takes long.
 float Room::distance_of(std::int32_t column, std::int32_t row) noexcept {
   const auto cell = static_cast<std::size_t>(row * columns_ + column);
   float& distance = distances_[cell];

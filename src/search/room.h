@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// About how far is the vehicle from what stands around it, for searches that look at a great many
-// poses?
+// How far is the vehicle from obstacles, approximately, for searches that test very many poses?
 
 #include <cstddef>
 #include <cstdint>
@@ -13,28 +12,28 @@
 
 namespace vandplan::search {
 
-/// About how far the body of a vehicle is from obstacles and blocked cells, beyond the margin that
-/// it keeps: distances on a raster, and discs and corners in place of the body. Kerbs are left out.
-/// A guide and no promise.
+/// Approximate clearance of the body from obstacles and blocked cells, beyond the margin. It uses
+/// distances on a raster, and discs and corners in place of the body. Kerbs are ignored. An
+/// estimate, no guarantee.
 class Room {
  public:
-  /// In a box; what is farther than `most` is not told apart [m]. The task's world outlives the
-  /// room.
+  /// Covers a box. Clearances above `most` [m] are not distinguished. The task's world must outlive
+  /// the room.
   Room(const Task& task, const Bounds& box, double most);
 
-  /// Some ten microseconds of work. False when there is no more to do.
+  /// Does some ten microseconds of work. False when nothing is left to do.
   bool step();
 
-  /// At a pose with that sine and cosine of the heading [m]: less than 0 where they overlap. To be
-  /// asked when there is no more to do. What a map says is looked up when it is first asked for.
+  /// Clearance at a pose with this cosine and sine of the heading [m]; negative if bodies overlap.
+  /// Requires that `step` is finished. Map cells are looked up when first asked for.
   [[nodiscard]] float clearance(float x, float y, float cos, float sin) noexcept;
-  /// Whether what has much room is free: there are no kerbs, and the body is a rectangle.
+  /// Whether a pose with enough clearance is free: there are no kerbs and the body is a rectangle.
   [[nodiscard]] bool is_trusted() const noexcept { return is_trusted_; }
-  /// How far that may be off, about [m].
+  /// Approximate error of the clearance [m].
   [[nodiscard]] float fineness() const noexcept { return static_cast<float>(side_) / 4; }
 
  private:
-  /// A part of the body in its frame [m]; a corner has no radius.
+  /// Disc of the body in the vehicle's frame [m]; a corner has only the margin as radius.
   struct Disc {
     float ahead, aside, radius;
   };
@@ -46,21 +45,22 @@ class Room {
   [[nodiscard]] float distance(float x, float y) noexcept;
 
   const Surroundings* ground_;
-  const CollisionChecker* map_;  // null without a map
+  const CollisionChecker* map_;  // Null without a map.
   Bounds box_;
-  double margin_;  // that the body keeps [m]
-  float most_;
-  float middle_, reach_;  // of the body: how far ahead it is, and what is farthest from it [m]
-  double furthest_;       // distance that is told apart [m]
-  double side_;           // of a cell [m]
+  double margin_;  // Margin that the body keeps [m].
+  float most_;     // Largest clearance that is given back [m].
+  /// Middle of the body ahead of the rear axle, and its largest reach from there plus margin [m].
+  float middle_, reach_;
+  double furthest_;  // Largest distance on the raster [m].
+  double side_;      // Side of a cell [m].
   float per_side_;
   std::int32_t columns_, rows_;
-  std::vector<float> distances_;  // from the centres of cells to what is nearest [m]
-  std::vector<bool> is_asked_;    // whether the map was, for each of them
+  std::vector<float> distances_;  // Distance from a cell's centre to the nearest obstacle [m].
+  std::vector<bool> is_asked_;    // Whether the map was looked up, for each cell.
   std::vector<Disc> discs_;
   bool is_trusted_;
-  std::size_t polygon_ = 0;  // what is marked next,
-  std::size_t corner_ = 0;   // from the side that ends there
+  std::size_t polygon_ = 0;  // Obstacle marked next.
+  std::size_t corner_ = 0;   // End of the side marked next.
 };
 
 }  // namespace vandplan::search

@@ -9,66 +9,66 @@
 
 namespace vandplan::search {
 
-/// A piece and the exact pose it leads to.
+/// Piece of a route and the exact pose at its end.
 struct Leg {
   Piece piece;
   LocalPose end;
-  double clearance_cost = 0.0;  ///< what being near things adds to its cost [m]
+  double clearance_cost = 0.0;  ///< Cost that small clearance adds [m].
 };
 
-/// From the start through via poses to the goal.
+/// Route from the start through intermediate poses to the goal.
 struct Route {
   LocalPose start;
   std::vector<Leg> legs;
   double cost = 0.0;
 
   [[nodiscard]] double length() const;
-  /// Where leg `i` begins.
+  /// Pose where leg `i` begins.
   [[nodiscard]] const LocalPose& begin_of(std::size_t i) const {
     return i == 0 ? start : legs[i - 1].end;
   }
 };
 
-/// As many arcs and lines as a word of Reeds and Shepp has.
+/// Largest number of segments of a Reeds-Shepp word.
 inline constexpr std::size_t segments_of_leg = 5;
 
-/// Drives on to `end`: the last segment goes on where both are alike, an arc or a line in the same
-/// gear; else the segment begins a leg, if it has to or the last one has `most` of them, or joins
-/// that one.
+/// Appends a segment that ends at `end`. It extends the last segment if both are lines or arcs of
+/// equal curvature in one gear. Otherwise it joins the last leg, or begins a new leg if
+/// `begins_leg` is set or the last leg has `most` segments.
 void drive_on(std::vector<Leg>& legs, const Segment& segment, const LocalPose& end,
               std::size_t most = segments_of_leg, bool begins_leg = false);
 
-/// What is driven before the start and after the goal, as far as the task and the rule say.
+/// Gears and curvatures before the start and after the goal, as far as task and rule say.
 [[nodiscard]] Gears gears_at_ends(const Task& task, const CostRule& rule);
 
-/// What a piece between `gears` has to fit: wheels that turn at once begin with any curvature, and
-/// anything may follow.
+/// Gears and curvatures that a piece between `gears` must match. If the wheels turn at once, only
+/// the gear before the piece counts.
 [[nodiscard]] Gears fitted_gears(const Task& task, const Gears& gears);
 
-/// The gears driven before leg `first` and from leg `last` on; `beside` is what is driven before
-/// and after the route.
+/// Gears and curvatures before leg `first` and from leg `last` on. `beside`: those before and after
+/// the route.
 [[nodiscard]] Gears gears_around(const Gears& beside, const Route& route, std::size_t first,
                                  std::size_t last);
 
-/// From the first leg to the last, with the `clearance_cost` that they have.
+/// Cost of a route [m], with the `clearance_cost` stored in its legs.
 [[nodiscard]] double cost_of(const CostRule& rule, const Route& route);
 
-/// Finds the `clearance_cost` of all legs, and the cost of the route.
+/// Computes `clearance_cost` of all legs, and the cost of the route.
 void price(const Connector& connector, Route& route);
 
-/// A route driven backwards: from its end to its start.
+/// Route driven backwards, from its end to its start.
 [[nodiscard]] Route reversed(const Route& route);
 
-/// What of a route is driven from `begin` to `end` [m], 0 <= begin < end <= its length; without a
-/// cost. Empty if they are equal.
+/// Part of a route from `begin` to `end` [m], 0 <= begin <= end <= its length; empty if they are
+/// equal. The cost is not computed.
 [[nodiscard]] Route part_of(const Route& route, double begin, double end);
 
-/// The place [m] on a route of the task nearest to `s` where it can be cut: `s` itself if the
-/// wheels turn at once, or else where `nearest_cut` lets its pieces be cut.
+/// Place on a route nearest to `s` where it can be cut [m]. This is `s` if the wheels turn at once,
+/// otherwise a place that `nearest_cut` finds on its pieces.
 [[nodiscard]] double nearest_cut(const Task& task, const Route& route, double s);
 
-/// Whether two routes between the same poses change gear alike and stay within `near` [m] of each
-/// other, as far as a few places on them tell.
+/// Whether two routes between the same poses change gear equally often and stay within `near` [m]
+/// of each other, judged at a few places.
 [[nodiscard]] bool are_alike(const Route& a, const Route& b, double near);
 
 [[nodiscard]] Path path_of(const Route& route);

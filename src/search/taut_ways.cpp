@@ -12,7 +12,7 @@ namespace vandplan::search {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int cells_per_work = 16;  // that take as long to look at as a node
+constexpr int cells_per_work = 16;  // Cells whose look-up takes as long as a node.
 constexpr std::size_t most_nodes = 400000;
 
 double distance(const Point& p, const Point& q) { return std::hypot(p.x - q.x, p.y - q.y); }
@@ -28,7 +28,7 @@ double way_to_interval(const TautWays::Node& node) {
 TautWays::TautWays(OpenRows lattice, const Point& start, const Point& goal,
                    std::optional<double> longest)
     : lattice_(std::move(lattice)), longest_(longest) {
-  const auto in_lattice = [&](const Point& point) {  // rounding may lead out of it
+  const auto in_lattice = [&](const Point& point) {  // Clamped, as rounding may lead outside.
     return Point{std::clamp(point.x, 0.0, lattice_.columns() + 0.0),
                  std::clamp(point.y, 0.0, lattice_.rows() + 0.0)};
   };
@@ -91,11 +91,12 @@ void TautWays::for_neighbours(const RunId& id, std::int32_t line, Visit visit) {
   }
 }
 
-// By way of the point of the interval that is best for a goal that may be seen from it.
+// Lower bound on the way through a node to the goal, through the interval's best point for a goal
+// in sight.
 double TautWays::way_to_goal(const Node& node) const {
   const double y = node.line;
   const bool goes_up = node.into.row == node.line;
-  const double ahead = std::abs(goal_.y - y);  // a goal behind is as far as its mirror image
+  const double ahead = std::abs(goal_.y - y);  // A goal behind is as far as its mirror image.
   const double behind = goes_up ? y - node.root.y : node.root.y - y;
   const double share = behind + ahead > 0 ? behind / (behind + ahead) : 1.0;
   const double x = std::clamp(node.root.x + share * (goal_.x - node.root.x), node.interval.left,
@@ -108,7 +109,7 @@ std::int64_t TautWays::key_of(const Point& corner) const noexcept {
          static_cast<std::int64_t>(corner.x);
 }
 
-// Whether no shorter way to the corner is known.
+// Whether no shorter way to the corner is known; stores the way.
 bool TautWays::reaches(const Point& corner, double cost) {
   double& least = corner_costs_.try_emplace(key_of(corner), cost).first->second;
   if (cost > least + rounding) return false;
@@ -116,7 +117,8 @@ bool TautWays::reaches(const Point& corner, double cost) {
   return true;
 }
 
-// A root on the line of the interval but outside of it: ways turn at the interval's end.
+// Adds a node. If the root is on the interval's line but outside it, ways turn at the interval's
+// end.
 void TautWays::push(Node node) {
   if (node.root.y == node.line) {
     const double x = std::clamp(node.root.x, node.interval.left, node.interval.right);
@@ -130,7 +132,7 @@ void TautWays::push(Node node) {
   open_.push(node);
 }
 
-// To all that `in` touches, all of which is seen from the root.
+// Adds nodes to all runs that touch `in`; the root sees all of `in`.
 void TautWays::spread(const Point& root, double cost, const RunId& in, const RunId& from) {
   for (const std::int32_t line : {in.row, in.row + 1}) {
     for_neighbours(in, line, [&](const Interval& shared, const RunId& into) {
@@ -139,7 +141,7 @@ void TautWays::spread(const Point& root, double cost, const RunId& in, const Run
   }
 }
 
-// Across the run that a node enters, to what lies on the far line between two places.
+// Adds nodes across the run that a node enters, to the far line between two places.
 void TautWays::cross(const Node& node, const Point& root, double cost, double left, double right) {
   const std::int32_t far = node.into.row == node.line ? node.line + 1 : node.line - 1;
   for_neighbours(node.into, far, [&](Interval shared, const RunId& into) {
@@ -156,9 +158,10 @@ void TautWays::cross(const Node& node, const Point& root, double cost, double le
   });
 }
 
-// Ways that turn at the left or right end of the node's interval, and are not seen from its root:
-// beyond `limit` on the far line, or on the near line. One of equally short ways to a corner is
-// enough: what only another one turns to is seen by the first, and nearer that way.
+// Adds nodes of ways that turn at the left or right end of the node's interval and are hidden from
+// its root: beyond `limit` on the far line, or on the near line. One of equally short ways to a
+// corner is enough. Places to which only another way turns are seen from the first way and are
+// nearer that way.
 void TautWays::turn(const Node& node, double limit, bool to_left) {
   const Point root{to_left ? node.interval.left : node.interval.right,
                    static_cast<double>(node.line)};

@@ -29,8 +29,8 @@ struct BoundEntry {
   std::uint32_t slopes;      ///< signed; radial: upper 11 bits; side: next 11; turn: lower 10
 };
 
-inline constexpr double bound_unit = 0x1p-13;  ///< [turning radii]
-inline constexpr int slope_step = 4;
+inline constexpr double bound_unit = 0x1p-13;  ///< unit of an entry's numbers [turning radii]
+inline constexpr int slope_step = 4;           ///< units per step of the slopes of radial and side
 
 /// Position of a cell's entry; used by fill and look-up alike.
 constexpr int bound_index(int radial, int side, int turn) {

@@ -13,12 +13,12 @@
 
 namespace vandplan::simd {
 
-/// Where the lengths lead to [m, rad]; heading in [-pi, pi].
+/// The pose to which the lengths lead [m, rad]; heading in [-pi, pi].
 struct BoundSample {
   float x, y, heading;
 };
 
-/// low <= length <= high [m].
+/// Bounds of a length: low <= length <= high [m].
 struct LowHigh {
   float low, high;
 };
@@ -43,10 +43,10 @@ void length_bounds(const BoundEntry* entries, std::span<const float> x, std::spa
 
 // What scalar and vector code share.
 
-/// Relative error that float may make of a distance; turns are off by less than four times it.
+/// Bound of the relative error of a distance in float. Turns are off by less than 4 * noise [rad].
 inline constexpr float noise = 0x1p-20F;
 
-/// Taylor's series of sin(x) / x and of cos(x) in x^2, last term first: to 1e-7 up to pi/2.
+/// Taylor's series of sin(x) / x and of cos(x) in x^2, last term first; error 1e-7 up to pi/2.
 inline constexpr float sine_series[] = {-1.0F / 39916800, 1.0F / 362880, -1.0F / 5040,
                                         1.0F / 120,       -1.0F / 6,     1.0F};
 inline constexpr float cosine_series[] = {

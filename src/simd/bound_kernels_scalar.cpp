@@ -23,13 +23,14 @@ Direction direction_up_to_sign(float angle) noexcept {
   return {x * horner(sine_series, x * x), horner(cosine_series, x * x)};
 }
 
-// Which of the cells a coordinate in [0, 1] is in, and where across it.
+// The cell of a coordinate in [0, 1], and the place across this cell in [0, 1].
 struct Place {
   int cell;
   float across;
 };
 
-// NaN is in the first one: the order of arguments sees to that.
+// The place of a coordinate among `cells` cells. NaN gets the first cell, because std::max gives
+// its first argument then.
 Place place(float coordinate, int cells) noexcept {
   const float scaled = coordinate * static_cast<float>(cells);
   const auto cell =

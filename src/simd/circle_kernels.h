@@ -1,51 +1,51 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which angles have the turns of many words by their circles, and about how long are these words?
+// Which angles do the turns of many words have by their circles, and about how long are the words?
 //
-// Plain C++, numbers only. The specification is `circles::word_of` and what the search for the
-// least word of continuous steering asks of it, where the curvature never jumps
-// (steering/continuous_least.cpp): every vector target gives its bits.
+// Plain C++, numbers only. The specification is `looks::near_word` of continuous steering, where
+// the curvature never jumps (steering/continuous_looks.h): every vector target gives its bits.
 
 #include <array>
 #include <cstddef>
 
 namespace vandplan::simd {
 
-/// What becomes of a small turn, as bounds::Small says.
+/// Numbers of `bounds::Small` for a small turn (steering/continuous_bounds.h).
 struct SmallTurn {
   double least, lack, growth, most;
 };
 
 /// What all words of a formula share.
 struct CircleFormula {
-  double first_gear, first_turn, last_gear, last_turn;  ///< of the steps at both ends, 1 or -1
+  /// Gear and side of the first and of the last step, 1 or -1.
+  double first_gear, first_turn, last_gear, last_turn;
   SmallTurn first, inner, last;
 };
 
 /// What all words have in common, in turning radii.
 struct CircleTurns {
-  double ahead, aside;  ///< centre of a circle from where the wheels are straight
-  double reach, skew;   ///< how far that is, how far off the perpendicular [rad]
+  double ahead, aside;  ///< centre of a circle, seen from where the wheels are straight
+  double reach, skew;   ///< distance of that centre, and its angle off the perpendicular [rad]
   double ramp;          ///< length of a clothoid to full lock
-  double high;          ///< the cosine of the largest angle at the ends of a word is above -`high`
+  double high;          ///< the cosine of the first or last angle of a word is at least -`high`
 };
 
-/// The formulas of Reeds and Shepp.
+/// Number of formulas of Reeds and Shepp.
 inline constexpr std::size_t circle_formulas = 9;
 
-/// Words of one formula, those looked at by one call.
+/// Words of one formula that one call works out.
 struct CircleWords {
   static constexpr std::size_t most = 36;
-  static constexpr std::size_t room = most + 4;  ///< for what fills vectors
+  static constexpr std::size_t room = most + 4;  ///< room to fill the last vector, too
   using Numbers = std::array<double, room>;
 
   std::size_t count = 0;
-  Numbers x, y, sin, cos;       ///< their frames, sine and cosine of half the turn
-  Numbers low_first, low_last;  ///< by so much both may be below nothing, at most 1
-  /// Angles of the turns and the length of the line, which may be less than nothing [rad].
+  Numbers x, y, sin, cos;       ///< frames of the words, with sine and cosine of half the turn
+  Numbers low_first, low_last;  ///< how far below 0 first and last angles may be (sines), at most 1
+  /// Result: angles of the turns [rad] and length of the line [turning radii], negative ones, too.
   Numbers first, inner, line, last;
-  Numbers length;  ///< about, infinite where there is no such word
+  Numbers length;  ///< result: estimated length; infinite where there is no word
 };
 
 /// Works out the words of all formulas, for numbers up to 1e50. Returns false in a build without

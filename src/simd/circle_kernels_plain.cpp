@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// Where there are no vectors of double: who asks works out one word after the other.
+// The kernel of a build without vectors of double: it does nothing, and its caller works out one
+// word after the other.
 
 #include "simd/circle_kernels.h"
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// What do all vector kernels share? For the target that is being compiled: foreach_target.h
-// includes a kernel file once for each, and so this one, whose guard toggles.
+// What do all vector kernels share?
+//
+// foreach_target.h includes a kernel file, and so this file, once for each target. Therefore the
+// guard of this file toggles.
 
 #if defined(VANDPLAN_SIMD_KERNELS_HIGHWAY_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VANDPLAN_SIMD_KERNELS_HIGHWAY_INL_H
@@ -31,7 +33,7 @@ constexpr float pi = std::numbers::pi_v<float>;
 HWY_INLINE Floats set(float value) { return hn::Set(F(), value); }
 HWY_INLINE Ints set(std::int32_t value) { return hn::Set(I(), value); }
 
-/// series[0] x^(n-1) + ... + series[n-1].
+/// The polynomial series[0] x^(n-1) + ... + series[n-1].
 template <std::size_t n>
 HWY_INLINE Floats horner(const float (&series)[n], Floats x) {
   Floats sum = set(series[0]);

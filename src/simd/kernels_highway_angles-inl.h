@@ -2,8 +2,8 @@
 // Copyright (c) 2026, the Vändplan authors
 
 // base::sin_cos for moderate angles and base::atan_2 in vectors of double: the same operations in
-// the same order, so the same bits. For the target that is being compiled, like
-// kernels_highway-inl.h; comes after hwy/highway.h.
+// the same order, so the same bits. Included once for each target, like kernels_highway-inl.h, and
+// after hwy/highway.h.
 
 #if defined(VANDPLAN_SIMD_KERNELS_HIGHWAY_ANGLES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VANDPLAN_SIMD_KERNELS_HIGHWAY_ANGLES_INL_H
@@ -17,7 +17,7 @@ namespace vandplan::simd::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// For vectors `V` of double.
+/// Functions of angles for vectors `V` of double.
 template <typename V>
 struct Angles {
   using D = hn::DFromV<V>;
@@ -28,7 +28,7 @@ struct Angles {
   static HWY_INLINE V set(double value) { return hn::Set(D(), value); }
   static HWY_INLINE Bits bits(std::uint64_t value) { return hn::Set(U(), value); }
 
-  /// a + z * b.
+  /// a + z * b, with both operations rounded.
   static HWY_INLINE V plus(V a, V z, V b) { return hn::Add(a, hn::Mul(z, b)); }
 
   struct SinCos {
@@ -39,7 +39,7 @@ struct Angles {
     return hn::BitCast(D(), hn::Xor(hn::BitCast(U(), value), hn::ShiftLeft<62>(bit_1)));
   }
 
-  /// (s[0] + z (s[1] + z s[2])) + z^3 (s[3] + z (s[4] + z s[5])).
+  /// The polynomial (s[0] + z (s[1] + z s[2])) + z^3 (s[3] + z (s[4] + z s[5])).
   static HWY_INLINE V six_terms(const double (&s)[6], V z, V z3) {
     const V low = plus(set(s[0]), z, plus(set(s[1]), z, set(s[2])));
     return plus(low, z3, plus(set(s[3]), z, plus(set(s[4]), z, set(s[5]))));
@@ -77,7 +77,7 @@ struct Angles {
         with_sign_flipped(hn::IfThenElse(odd, sine, cosine), hn::And(hn::Add(quarters, one), two))};
   }
 
-  /// The multiple of pi/4 that the angle is counted from, of `base::series::eighths` or
+  /// The multiple of pi/4 from which the angle is counted, one of `base::series::eighths` or
   /// `base::series::rests`.
   static HWY_INLINE V of_eighths(const double (&all)[5], Which middle, Which steep, Which back) {
     const V ahead =
@@ -87,7 +87,7 @@ struct Angles {
     return hn::IfThenElse(back, behind, ahead);
   }
 
-  /// For numbers below 2^1020.
+  /// base::atan_2 for numbers below 2^1020.
   static HWY_INLINE V atan_2(V y, V x) {
     const V abs_x = hn::Abs(x);
     const V abs_y = hn::Abs(y);

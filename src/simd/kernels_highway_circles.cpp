@@ -40,13 +40,13 @@ using Which = hn::Mask<D>;
 
 HWY_INLINE V set(double value) { return hn::Set(D(), value); }
 
-/// As std::max(value, 0.0), for -0 and NaN, too.
+/// std::max(value, 0.0) in each lane, for -0 and NaN, too.
 HWY_INLINE V at_least_zero(V value) {
   return hn::IfThenZeroElse(hn::Lt(value, hn::Zero(D())), value);
 }
 HWY_INLINE V root(V value) { return hn::Sqrt(at_least_zero(value)); }
 
-/// Numbers whose arguments are angles.
+/// Complex numbers whose arguments are angles.
 struct Arrow {
   V re, im;
 };
@@ -66,7 +66,7 @@ struct Words {
   Which exact;
 };
 
-/// The frames of words, and from the centres of their first circles to those of their last.
+/// Frames of words, and vectors from the centres of their first circles to those of their last.
 struct Between {
   Arrow a, v;
   V squared;
@@ -105,7 +105,7 @@ HWY_INLINE Triangle triangle(const Between& b, const CircleTurns& t, double n) {
   return {{cos, sin}, arrow(0, -1) * b.v * side, hn::Le(hn::Abs(cos), set(1))};
 }
 
-// In the order of reeds_shepp_formulas::Formula.
+// Formulas in the order of reeds_shepp_formulas::Formula.
 enum : std::size_t { lsl, lsr, l_r_l, r_lr, lr_lr, r_lr_l, r_lsr, r_lsl, r_lsr_l };
 
 constexpr bool has_line(std::size_t formula) { return formula < l_r_l || formula > r_lr_l; }
@@ -179,12 +179,12 @@ HWY_INLINE V inner_angle(const Words& words, const CircleTurns& t) {
   return hn::IfThenZeroElse(none, turn);
 }
 
-/// From -1/2 on, an angle that is in [-pi, pi].
+/// Angles of [-pi, pi], with a whole turn added to those below -1/2 [rad].
 HWY_INLINE V in_one_turn(V angle) {
   return hn::IfThenElse(hn::Lt(angle, set(-0.5)), hn::Add(angle, set(2 * std::numbers::pi)), angle);
 }
 
-/// Where the angle of an arrow is below -low or too far beyond a quarter turn.
+/// Lanes in which the angle of an arrow is below -low or too far beyond a quarter turn.
 template <std::size_t formula>
 VANDPLAN_PART Which unlikely(const Arrow& arrow, V low, const CircleTurns& t) {
   const V zero = hn::Zero(D());
@@ -198,7 +198,7 @@ VANDPLAN_PART Which unlikely(const Arrow& arrow, V low, const CircleTurns& t) {
   return hn::Or(too_low, hn::And(behind, hn::Gt(hn::Mul(arrow.re, arrow.re), most)));
 }
 
-/// What a turn lacks of its angle and a ramp, in ramps.
+/// By how much turns are shorter than angle + ramp [ramps]: `bounds::Small::lacks`.
 VANDPLAN_PART V lacking(V angle, const SmallTurn& turn, const CircleTurns& t) {
   const V u = hn::Sub(set(1), hn::Mul(angle, set(1 / t.ramp)));
   const V square = hn::Mul(u, u);
@@ -207,12 +207,12 @@ VANDPLAN_PART V lacking(V angle, const SmallTurn& turn, const CircleTurns& t) {
   return hn::IfThenZeroElse(hn::Le(u, hn::Zero(D())), hn::Min(lack, set(turn.most)));
 }
 
-/// The angles of words.
+/// Angles of the turns of words.
 struct Turns {
   V first, inner, last;
 };
 
-/// About how long are words?
+/// Estimated lengths of words: `bounds::length_near`.
 template <std::size_t formula>
 HWY_INLINE V length_of(const Turns& turns, V line, const CircleFormula& f, const CircleTurns& t) {
   V length = hn::Add(hn::Add(turns.first, turns.last), set(2 * t.ramp));
@@ -232,7 +232,7 @@ HWY_INLINE V length_of(const Turns& turns, V line, const CircleFormula& f, const
   return hn::Sub(length, hn::Mul(set(t.ramp), all));
 }
 
-/// Where turns are so far below nothing that there is no word.
+/// Lanes in which a turn is so far below 0 that there is no word.
 HWY_INLINE Which is_gone(const Turns& turns, const CircleFormula& f, const CircleTurns& t) {
   const V wide = hn::Mul(set(0.2), at_least_zero(hn::Sub(turns.inner, set(1.5))));
   const V ramp = set(t.ramp);

@@ -99,7 +99,7 @@ void lengths(const float* x, const float* y, const float* heading, const LengthS
   std::size_t i = 0;
   for (; i + lanes <= count; i += lanes) step(x + i, y + i, heading + i, out + i);
   if (i == count) return;
-  // The rest, in lanes of its own.
+  // Nodes that fill no whole vector, in lanes of their own.
   HWY_ALIGN float rest[4][HWY_MAX_BYTES / sizeof(float)] = {};
   std::copy(x + i, x + count, rest[0]);
   std::copy(y + i, y + count, rest[1]);

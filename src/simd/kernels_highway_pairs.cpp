@@ -36,7 +36,7 @@ constexpr double pi = std::numbers::pi;
 
 Doubles set(double value) { return hn::Set(D(), value); }
 
-/// As std::max(value, 0.0), for -0 and NaN, too.
+/// std::max(value, 0.0) in each lane, for -0 and NaN, too.
 Doubles at_least_zero(Doubles value) {
   return hn::IfThenZeroElse(hn::Lt(value, hn::Zero(D())), value);
 }
@@ -54,8 +54,8 @@ using Circles = Word::Circles;
 
 /// Pairs of poses.
 struct Pairs {
-  Doubles dx, dy;    ///< in turning radii
-  Doubles from, to;  ///< headings
+  Doubles dx, dy;    ///< offset from the first to the second pose [turning radii]
+  Doubles from, to;  ///< headings of both poses [rad]
 };
 
 Circles circles(const Pairs& pairs) {
@@ -121,7 +121,7 @@ void lengths(const double* from, std::size_t from_step, const double* to, std::s
     hn::StoreU(lengths_of(a, b, radius), d, out + i);
   }
   if (i == count) return;
-  // The rest, in lanes of its own.
+  // Pairs that fill no whole vector, in lanes of their own.
   constexpr std::size_t most = HWY_MAX_BYTES / sizeof(double);
   HWY_ALIGN double rest[2][3 * most] = {};
   HWY_ALIGN double answers[most];
@@ -133,7 +133,7 @@ void lengths(const double* from, std::size_t from_step, const double* to, std::s
   std::copy(answers, answers + (count - i), out + i);
 }
 
-/// Batches of eight fill vectors of any size.
+/// Sines and cosines of angles, in batches of eight, which fill vectors of any size.
 void directions(const double* angles, double* sines, double* cosines, std::size_t count) {
   const hn::CappedTag<double, turns_of_batch> d;
   using Batch = hn::Vec<decltype(d)>;

@@ -42,7 +42,7 @@ Floats mirrored_in_y(Floats heading) {
   return hn::IfThenElse(hn::Gt(mirrored, set(pi)), hn::Sub(mirrored, set(2 * pi)), mirrored);
 }
 
-/// Between two whole numbers: what NaN became, too.
+/// Whole numbers clamped to [least, most], those that NaN became, too.
 Ints between(Ints value, int least, int most) {
   return hn::Min(hn::Max(value, set(least)), set(most));
 }
@@ -66,7 +66,7 @@ Floats table_distance(const TableView& table, Floats dx, Floats dy, Floats node,
   sample = hn::IfThenElse(behind, mirrored_in_y(sample), sample);
   const Ints ix = whole(hn::Mul(x, set(table.cells_per_metre)));
   const Ints iy = whole(hn::Mul(y, set(table.cells_per_metre)));
-  const Ints headings = set(table.headings);  // table_index, lane by lane
+  const Ints headings = set(table.headings);  // table_index in lanes
   Ints cell = hn::Add(hn::Mul(ix, set(table.positions)), iy);
   cell = hn::Add(hn::Mul(cell, headings), nearest_heading(table, node));
   cell = hn::Add(hn::Mul(cell, headings), nearest_heading(table, sample));
@@ -104,18 +104,18 @@ struct Place {
   Floats across;
 };
 
-/// Where a coordinate in [0, 1] lies among so many cells.
+/// The cell of a coordinate in [0, 1] among `cells` cells, and the place across this cell.
 Place place(Floats coordinate, int cells) {
   const Floats scaled = hn::Mul(coordinate, set(static_cast<float>(cells)));
   const Ints cell = between(whole(scaled), 0, cells - 1);
   return {cell, hn::Sub(scaled, real(cell))};
 }
 
-/// A block of nodes before and after the table is read.
-constexpr std::size_t block = 128;
+constexpr std::size_t block = 128;  ///< nodes that are looked up together
+/// Nodes that are looked up together, before and after the table is read.
 struct Block {
-  HWY_ALIGN float radial[block], side[block], turn[block];  // across the cell, in [0, 1]
-  HWY_ALIGN float distance[block], least[block];            // in turning radii
+  HWY_ALIGN float radial[block], side[block], turn[block];  // place across the cell, in [0, 1]
+  HWY_ALIGN float distance[block], least[block];            // [turning radii]
   HWY_ALIGN std::int32_t cell[block];
   HWY_ALIGN BoundEntry entry[block];
 };
@@ -191,7 +191,7 @@ void many_length_bounds(const BoundEntry* entries, const float* x, const float* 
   Block nodes;
   for (std::size_t i = 0; i < count; i += block) {
     const std::size_t rest = std::min(count - i, block);
-    const std::size_t size = std::max(rest, lanes);  // a short rest looks back
+    const std::size_t size = std::max(rest, lanes);  // a short rest repeats nodes before it
     const std::size_t at = i + rest - size;
     find_cells(x + at, y + at, heading + at, sample, radius, size, nodes);
     for (std::size_t k = 0; k < size; ++k) nodes.entry[k] = entries[nodes.cell[k]];

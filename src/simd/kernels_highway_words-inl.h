@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// How long is the shortest word of Reeds and Shepp, in vectors of float or of double? For the
-// target that is being compiled, like kernels_highway-inl.h; comes after hwy/highway.h.
+// How long is the shortest word of Reeds and Shepp, in vectors of float or of double?
+//
+// Included once for each target, like kernels_highway-inl.h, and after hwy/highway.h.
 
 #if defined(VANDPLAN_SIMD_KERNELS_HIGHWAY_WORDS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VANDPLAN_SIMD_KERNELS_HIGHWAY_WORDS_INL_H
@@ -16,20 +17,20 @@ namespace vandplan::simd::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// a * b + c * d, each rounded.
+/// a * b + c * d, with each operation rounded.
 template <typename V>
 HWY_INLINE V sum_of_products(V a, V b, V c, V d) {
   return hn::Add(hn::Mul(a, b), hn::Mul(c, d));
 }
 
-/// a * b - c * d, each rounded.
+/// a * b - c * d, with each operation rounded.
 template <typename V>
 HWY_INLINE V difference_of_products(V a, V b, V c, V d) {
   return hn::Sub(hn::Mul(a, b), hn::Mul(c, d));
 }
 
-/// The formulas of steering/reeds_shepp_formulas.h. `Math` has the type of the vectors and what
-/// depends on it: atan_2, root (of nothing less than 0), less_four_plus_pi.
+/// Lengths by the formulas of steering/reeds_shepp_formulas.h. `Math` has the type of the vectors
+/// and the functions that depend on it: atan_2, root (0 for numbers below 0), less_four_plus_pi.
 template <typename Math>
 struct ShortestWord {
   using V = typename Math::V;
@@ -40,14 +41,13 @@ struct ShortestWord {
     return hn::Set(Tag(), static_cast<hn::TFromD<Tag>>(value));
   }
 
-  /// The pair in the mean frame, all signs positive; lengths in turning radii
-  /// (steering/mean_frame.h).
+  /// Pairs of poses in mean frames (steering/mean_frame.h), all signs positive, in turning radii.
   struct Circles {
     V x, y, a, s, c, lr, rl;
   };
 
-  /// A word's length is line + 2 * angle; the angle is that of the vector (x, y) turned by the one
-  /// of (p, q).
+  /// Parts of a word's length, line + 2 * angle. The angle is that of the vector (x, y) turned by
+  /// the angle of the vector (p, q).
   struct Parts {
     V line, x, y, p, q;
 
@@ -63,7 +63,7 @@ struct ShortestWord {
     }
   };
 
-  /// The conditions of the scalar code, of which the first one that holds counts, and what they
+  /// Conditions of the scalar code, of which the first one that holds counts, and numbers that they
   /// share.
   struct Words {
     Which l_r_l, r_lsl, lsl, r_lsr_l, r_lsr, lsr;
@@ -94,7 +94,7 @@ struct ShortestWord {
     }
   };
 
-  /// The words with a line; of those before 8.11 the line only.
+  /// Parts of the words with a line. 8.3, 8.10 and 8.1 have the angle `f.a`, and get the line only.
   static Parts with_line(const Circles& f, const Words& is) {
     V square = hn::IfThenElse(is.r_lsr, hn::Sub(is.square, set(4.0)), f.lr);  // 8.9, 8.2
     square = hn::IfThenElse(is.r_lsr_l, f.rl, square);                        // 8.11
@@ -114,7 +114,7 @@ struct ShortestWord {
     return parts;
   }
 
-  /// 8.8 where `is_r_lr_l`, else 8.4.
+  /// Parts of words of arcs: 8.8 in the lanes of `is_r_lr_l`, otherwise 8.4.
   static Parts of_arcs(const Circles& f, const Words& is, Which is_r_lr_l) {
     const V one = set(1.0);
     const V two = set(2.0);
@@ -128,7 +128,7 @@ struct ShortestWord {
     return parts;
   }
 
-  /// 8.7; `between` the left and the right circle.
+  /// Length of 8.7. `between`: distance from the first left to the last right circle's centre.
   static V lr_lr(const Circles& f, V between) {
     const V eight = set(8.0);
     const V sin_squared = hn::Div(hn::Neg(f.lr), hn::Mul(eight, hn::Add(set(2.0), between)));

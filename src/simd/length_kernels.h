@@ -10,7 +10,7 @@
 
 namespace vandplan::simd {
 
-/// Where the paths lead to [m, rad]; heading in [-pi, pi].
+/// The pose to which the paths lead [m, rad]; heading in [-pi, pi].
 struct LengthSample {
   float x, y, heading;
 };
@@ -31,19 +31,20 @@ void reeds_shepp_lengths(std::span<const float> x, std::span<const float> y,
                          std::span<float> out) noexcept;
 }
 
-/// How far a length may be from the exact one for poses that round to these floats, as a share of
-/// length + radius: seven times the most that tests/steering/reeds_shepp_batch_test.cpp finds.
+/// Bound of a length's error as a share of length + radius, for poses that round to these floats.
+/// It is seven times the largest error that tests/steering/reeds_shepp_batch_test.cpp finds.
 inline constexpr float length_error = 0x1p-18F;
 
 // What scalar and vector code share: polynomials in x^2, last term first.
 
-/// (sin(x) / x - 1) / x^2 and (cos(x) - 1 + x^2 / 2) / x^4 up to pi/2: sine and cosine to 1e-8.
+/// Polynomials of (sin(x) / x - 1) / x^2 and (cos(x) - 1 + x^2 / 2) / x^4 up to pi/2. Sine and
+/// cosine are right to 1e-8.
 inline constexpr float sine_rest[] = {2.6089702e-6F, -1.98111318e-4F, 8.33308847e-3F,
                                       -0.166666605F};
 inline constexpr float cosine_rest[] = {-2.61940736e-7F, 2.47693185e-5F, -1.38885694e-3F,
                                         4.16666558e-2F};
 
-/// (atan(x) / x - 1) / x^2 up to tan(pi/8): arc tangent to 2e-8 of it.
+/// Polynomial of (atan(x) / x - 1) / x^2 up to tan(pi/8). The arc tangent's relative error is 2e-8.
 inline constexpr float arc_tangent_rest[] = {8.0699567e-2F, -0.138832571F, 0.199783001F,
                                              -0.333329676F};
 inline constexpr float tan_eighth = 0.41421356F;  ///< tan(pi/8)

@@ -29,7 +29,7 @@ Direction direction(float angle) noexcept {
   return {sin, cos};
 }
 
-// In [-pi, pi]: the angle of a vector that is not zero.
+// The angle in [-pi, pi] of a vector (x, y) that is not zero.
 float atan_2(float y, float x) noexcept {
   const float abs_x = std::abs(x);
   const float abs_y = std::abs(y);
@@ -50,7 +50,7 @@ float angle_of_turned(float x, float y, float p, float q) noexcept {
   return atan_2(y * p + x * q, x * p - y * q);
 }
 
-// The pair in the mean frame, all signs positive; lengths in turning radii (mean_frame.h).
+// A pair of poses in its mean frame (steering/mean_frame.h), all signs positive, in turning radii.
 struct FloatCircles {
   float x, y;
   float a, s, c;  // half turn, its sine and cosine
@@ -78,7 +78,8 @@ FloatCircles circles(float dx, float dy, float heading_node, float heading_sampl
   return p;
 }
 
-// Words of four arcs and of three where the first left and the last right circle overlap.
+// Length of the shortest word of arcs (8.4, 8.7, 8.8), where the first left and the last right
+// circle overlap.
 float shortest_of_arcs(const FloatCircles& p) noexcept {
   const float x = p.x + 2 * p.s;
   const float across = 2 * p.c - p.y;
@@ -104,7 +105,8 @@ float shortest_of_arcs(const FloatCircles& p) noexcept {
   return length;
 }
 
-// The choice of reeds_shepp_formulas.h; docs/algorithms/steering.md derives it.
+// Length of the shortest word. The choice is that of steering/reeds_shepp_formulas.h;
+// docs/proofs/steering.md proves it.
 float shortest(const FloatCircles& p) noexcept {
   if (p.rl <= 0) return 2 * p.a;  // 8.3
 

@@ -10,14 +10,14 @@
 
 namespace vandplan::simd {
 
-/// Lengths from every first to every second pose [m]: x, y [m], heading [rad], one pose after the
-/// other; either one pose or as many as there are lengths. `radius` > 0 [m]. Pairs that are not for
-/// vectors get NaN: headings of many turns, distances beyond 1e100 radii, numbers that are not
-/// finite, and in a build without vectors all of them.
+/// Lengths from each pose of `from` to the pose of `to` with the same index [m]. A pose is three
+/// numbers: x, y [m], heading [rad]. Either side has one pose, or as many as `out` has lengths.
+/// `radius` > 0 [m]. Pairs that vectors cannot handle get NaN: headings of many turns, distances
+/// beyond 1e100 radii, numbers that are not finite. In a build without vectors all pairs get NaN.
 void exact_lengths(std::span<const double> from, std::span<const double> to, double radius,
                    std::span<double> out) noexcept;
 
-/// The largest distance along x or y that is for vectors, in turning radii.
+/// Largest distance along x or y that vectors handle [turning radii].
 inline constexpr double most_radii = 1e100;
 
 }  // namespace vandplan::simd

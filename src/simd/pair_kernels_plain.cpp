@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// Where there are no vectors of double: no length is known, and who asks takes the exact function.
+// The kernels of a build without vectors of double. All lengths are NaN, so that the caller
+// computes them one by one.
 
 #include <algorithm>
 #include <limits>

@@ -7,10 +7,10 @@
 
 namespace vandplan::simd {
 
-/// pi - float(pi).
+/// Rounding error of pi in float: pi - float(pi).
 inline constexpr float rest_of_pi = -8.742278e-8F;
 
-/// series[0] x^(n-1) + ... + series[n-1].
+/// The polynomial series[0] x^(n-1) + ... + series[n-1].
 template <std::size_t n>
 constexpr float horner(const float (&series)[n], float x) noexcept {
   float sum = series[0];

@@ -15,17 +15,18 @@ struct TableView {
   const float* entries = nullptr;  ///< row-major [x][y][heading_node][heading_sample]
   int positions = 0;               ///< grid points along x and along y
   int headings = 0;                ///< grid points of a heading
-  float extent = 0.0F;             ///< of |dx| and |dy|, table's radius [m]
-  float cells_per_metre = 0.0F;    ///< at the table's radius
+  float extent = 0.0F;             ///< bound of |dx| and |dy| at the table's turning radius [m]
+  float cells_per_metre = 0.0F;    ///< cells per metre at the table's turning radius
   float cells_per_radian = 0.0F;
-  float to_table = 1.0F;    ///< table's radius / vehicle's
-  float from_table = 1.0F;  ///< vehicle's radius / table's
+  float to_table = 1.0F;    ///< turning radius of the table / that of the vehicle
+  float from_table = 1.0F;  ///< turning radius of the vehicle / that of the table
 };
 
-/// A cell, and the shape of the table it is in.
+/// Indices of a cell of a table.
 struct TableGridPoint {
   int x, y, heading_node, heading_sample;
 };
+/// Numbers of grid points of a table: along x and along y, and of a heading.
 struct TableShape {
   int positions, headings;
 };
@@ -37,17 +38,18 @@ constexpr int table_index(const TableShape& shape, const TableGridPoint& cell) {
          cell.heading_sample;
 }
 
-/// Where the lengths lead to [m, rad]; heading in [-pi, pi].
+/// The pose to which the lengths lead [m, rad]; heading in [-pi, pi].
 struct TableSample {
   float x, y, heading;
 };
 
-/// Algorithm 7 for a node at (dx, dy) from the sample [m]; headings in [-pi, pi].
+/// Length by Algorithm 7 of Guo 2020 between the sample and a node at (dx, dy) from it [m].
+/// Headings are in [-pi, pi].
 [[nodiscard]] float table_distance(const TableView& table, float dx, float dy, float heading_node,
                                    float heading_sample) noexcept;
 
-/// Algorithm 7 from every node, given as structure of arrays, to one sample: out[i] belongs to
-/// node i. Equal sizes.
+/// Lengths by Algorithm 7 from every node, given as structure of arrays, to one sample [m]. out[i]
+/// belongs to node i. Equal sizes.
 void table_distances(const TableView& table, std::span<const float> x, std::span<const float> y,
                      std::span<const float> heading, const TableSample& sample,
                      std::span<float> out) noexcept;

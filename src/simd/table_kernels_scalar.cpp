@@ -11,13 +11,14 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-// pi - heading, back in [-pi, pi].
+// The mirrored heading pi - heading, in [-pi, pi].
 float mirrored_in_y(float heading) noexcept {
   const float mirrored = pi - heading;
   return mirrored > pi ? mirrored - 2 * pi : mirrored;
 }
 
-// A heading that is none, or far out, has one of the two ends: the order of arguments sees to NaN.
+// Index of the grid point nearest to a heading; far headings get the first or the last index. NaN
+// gets the first, because std::max gives its first argument then.
 int nearest_heading(const TableView& table, float heading) noexcept {
   const float cell = (heading + pi) * table.cells_per_radian + 0.5F;
   return static_cast<int>(std::min(static_cast<float>(table.headings - 1), std::max(0.0F, cell)));

@@ -7,7 +7,7 @@
 
 namespace vandplan::simd {
 
-/// "AVX2", say; "scalar" in a build without vector kernels.
+/// Name of the vector instructions, such as "AVX2"; "scalar" in a build without vector kernels.
 [[nodiscard]] std::string_view simd_target() noexcept;
 
 }  // namespace vandplan::simd

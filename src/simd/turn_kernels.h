@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which way do many angles point, to the last bit?
+// What are the sines and cosines of many angles, to the last bit?
 //
 // Plain C++, spans only. The specification is `base::sin_cos`: every vector target gives its bits.
 
@@ -9,10 +9,11 @@
 
 namespace vandplan::simd {
 
-/// How many angles are one batch.
+/// Number of angles in a batch.
 inline constexpr std::size_t turns_of_batch = 8;
 
-/// Sines and cosines of angles up to `base::series::moderate` [rad], batches of them.
+/// Sines and cosines of angles of at most `base::series::moderate` [rad] in absolute value. All
+/// sizes are one multiple of `turns_of_batch`.
 void sines_and_cosines(std::span<const double> angles, std::span<double> sines,
                        std::span<double> cosines) noexcept;
 

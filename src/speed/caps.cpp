@@ -9,19 +9,20 @@
 namespace vandplan::speed {
 namespace {
 
-constexpr double tolerance = 1e-3;  // of speed^2, between a limit and the tangents below it
-constexpr int deepest = 24;         // halvings of a part
+// Largest relative gap in speed^2 between a limit and the tangents below it.
+constexpr double tolerance = 1e-3;
+constexpr int deepest = 24;  // largest number of nested divisions of a part
 
-/// A squared speed and its slope over the distance.
+/// Tangent of a limit: squared speed and its slope over the distance.
 struct Tangent {
-  double s;  // from the start of the segment [m]
+  double s;  // distance from the start of the segment [m]
   double value;
   double slope;
 
   [[nodiscard]] double at(double place) const { return value + slope * (place - s); }
 };
 
-/// The limits on one segment.
+/// Limits of the squared speed on one segment.
 class SegmentLimits {
  public:
   SegmentLimits(const Segment& segment, const Vehicle& vehicle)
@@ -29,11 +30,11 @@ class SegmentLimits {
     const double speed =
         segment.length < 0.0 ? limits_.max_speed.reverse : limits_.max_speed.forward;
     top_ = speed * speed;
-    // The wheels turn by wheelbase * rate / (1 + (wheelbase * curvature)^2) for each metre.
+    // The wheels turn by wheelbase * rate / (1 + (wheelbase * curvature)^2) per driven metre.
     straight_ = limits_.max_steering_rate / (wheelbase_ * std::abs(segment.curvature_rate));
   }
 
-  /// The limit of that kind at a place.
+  /// Tangent of the limit `bound` at `s` metres of the segment.
   [[nodiscard]] Tangent tangent(SpeedBound bound, double s) const {
     const double curvature = curvature_at(segment_, s);
     const double rate = segment_.curvature_rate;
@@ -49,7 +50,7 @@ class SegmentLimits {
     return {s, top_, 0.0};
   }
 
-  /// The lowest limit at a place.
+  /// Lowest limit at `s` metres of the segment.
   [[nodiscard]] SpeedBound bound_at(double s) const {
     const double curvature = std::abs(curvature_at(segment_, s));
     double lowest = top_;
@@ -63,7 +64,7 @@ class SegmentLimits {
     return bound;
   }
 
-  /// The curvatures, not negative, at which another limit may become the lowest one.
+  /// Non-negative curvatures at which another limit may become the lowest one [1/m].
   [[nodiscard]] std::array<double, 4> turning_points() const {
     const double lateral = limits_.max_lateral_acceleration / top_;
     const double speed = std::sqrt(top_);
@@ -72,7 +73,7 @@ class SegmentLimits {
   }
 
  private:
-  /// The curvature at which the limits of lateral acceleration and steering rate agree.
+  /// Curvature at which the limits of lateral acceleration and steering rate are equal [1/m].
   [[nodiscard]] double equal_limits() const {
     const double top = limits_.max_lateral_acceleration / (straight_ * straight_);
     // curvature * (1 + (wheelbase * curvature)^2)^2 = top, and the left side grows.
@@ -89,11 +90,11 @@ class SegmentLimits {
   Segment segment_;
   double wheelbase_;
   DrivingLimits limits_;
-  double top_;       // of the gear, squared
-  double straight_;  // speed at which the wheels turn as fast as they can, at curvature 0
+  double top_;       // square of the gear's largest speed [m^2/s^2]
+  double straight_;  // speed at which the wheels turn as fast as they can, at curvature 0 [m/s]
 };
 
-/// The caps of one segment in the making.
+/// Builds the caps of one segment.
 class Builder {
  public:
   Builder(const SegmentLimits& limits, const DrivingLimits& driving, double s,
@@ -104,7 +105,7 @@ class Builder {
         s_(s),
         caps_(caps) {}
 
-  /// A part on which one limit is the lowest; it is convex there.
+  /// Adds the caps of a part on which one limit is the lowest; that limit is convex there.
   void add_part(double begin, double end) {
     bound_ = limits_.bound_at((begin + end) / 2);
     const Tangent first = limits_.tangent(bound_, begin);
@@ -116,7 +117,7 @@ class Builder {
   }
 
  private:
-  /// The line from where the last one ended.
+  /// Adds a cap from the end of the last one to (`end`, `value`).
   void add_line_to(double end, double value) {
     const Cap line{s_ + from_, s_ + end, value_, value, bound_};
     if (line.begin < line.end) caps_.push_back(line);
@@ -124,8 +125,8 @@ class Builder {
     value_ = value;
   }
 
-  /// Lines up to the last one of what is below a convex limit: its tangents at `a` and `b`, or more
-  /// of them in between.
+  /// Adds all but the last of the lines below a convex limit. The lines are its tangents at `a` and
+  /// `b`, and more tangents between them where the gap is too large.
   void add_tangents(const Tangent& a, const Tangent& b, int depth) {
     const double gain = b.slope - a.slope;
     double meet = (a.s + b.s) / 2;
@@ -152,8 +153,8 @@ class Builder {
   double s_;
   std::vector<Cap>& caps_;
   SpeedBound bound_ = SpeedBound::max_speed;
-  double from_ = 0.0;   // where the next line begins, from the start of the segment
-  double value_ = 0.0;  // and at which speed^2
+  double from_ = 0.0;   // begin of the next line, from the start of the segment [m]
+  double value_ = 0.0;  // speed^2 at the begin of the next line [m^2/s^2]
 };
 
 }  // namespace
@@ -167,7 +168,7 @@ void add_caps(const Segment& segment, double s, const Vehicle& vehicle, std::vec
     caps.push_back({s, s + length, value, value, bound});
     return;
   }
-  // 1. Where another limit may become the lowest, or the curvature changes its sign.
+  // 1. Places where another limit may become the lowest, or the curvature changes its sign.
   std::array<double, 10> places = {0.0, length};
   std::size_t count = 2;
   for (const double curvature : limits.turning_points()) {
@@ -177,7 +178,7 @@ void add_caps(const Segment& segment, double s, const Vehicle& vehicle, std::vec
     }
   }
   std::sort(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(count));
-  // 2. Between them lines below the lowest limit.
+  // 2. Lines below the lowest limit between these places.
   Builder builder(limits, vehicle.limits, s, caps);
   for (std::size_t i = 0; i + 1 < count; ++i) {
     if (places[i] < places[i + 1]) builder.add_part(places[i], places[i + 1]);

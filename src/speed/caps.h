@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How fast may a vehicle be at each place of a path, whatever it does elsewhere?
+// How fast may a vehicle be at each place of a path, whatever its speed elsewhere?
 //
-// Speeds are kept squared: under constant acceleration their square is a line over the distance.
+// Speeds are kept squared: under constant acceleration their square is linear in the distance.
 
 #include <span>
 #include <vector>
@@ -12,19 +12,19 @@
 
 namespace vandplan::speed {
 
-/// A part of the path on which the square of the largest speed is a line.
+/// Part of a path on which the square of the largest speed is linear in the distance.
 struct Cap {
-  double begin = 0.0;                        ///< driven distance [m]
-  double end = 0.0;                          ///< > begin
+  double begin = 0.0;  ///< distance from the start of the path to the begin of the part [m]
+  double end = 0.0;  ///< distance from the start of the path to the end of the part [m]; > `begin`
   double first = 0.0;                        ///< largest speed^2 at `begin` [m^2/s^2]
-  double last = 0.0;                         ///< and at `end`
-  SpeedBound bound = SpeedBound::max_speed;  ///< where it comes from
+  double last = 0.0;                         ///< largest speed^2 at `end` [m^2/s^2]
+  SpeedBound bound = SpeedBound::max_speed;  ///< limit that determines the speed
 
   [[nodiscard]] double slope() const noexcept { return (last - first) / (end - begin); }
 };
 
-/// Adds the caps of a segment that begins `s` metres from the start: never above a limit, and at
-/// most 0.1 % below in speed^2 wherever that can matter.
+/// Appends the caps of a segment that begins `s` metres from the start. They are never above a
+/// limit of the vehicle, and at most 0.1 % below it in speed^2 wherever that can matter.
 void add_caps(const Segment& segment, double s, const Vehicle& vehicle, std::vector<Cap>& caps);
 
 }  // namespace vandplan::speed

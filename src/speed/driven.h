@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How far has the vehicle come at a time?
+// How far has a vehicle driven at a time?
 
 #include "vandplan/speed.h"
 
 namespace vandplan::speed {
 
-/// Driven distance at time `t`, clamped to the drive's [m].
+/// Driven distance at time `t` [m]; `t` is clamped to the drive.
 [[nodiscard]] double driven_at(const SpeedProfile& profile, double t) noexcept;
 
 }  // namespace vandplan::speed

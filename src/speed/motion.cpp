@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-// Where is the vehicle when?
+// Which pose and speed does a vehicle have at a time of its drive?
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 
 using speed::Way;
 
-constexpr double most_samples = 1e7;  // of a drive
+constexpr double most_samples = 1e7;  // largest number of samples of a drive
 
 /// The last stop that has begun at `t`; null if there is none.
 const Stop* stop_at(const SpeedProfile& profile, double t) {
@@ -25,7 +25,7 @@ const Stop* stop_at(const SpeedProfile& profile, double t) {
   return later == profile.stops.begin() ? nullptr : &*std::prev(later);
 }
 
-/// Everything but the motion along the path, for a vehicle that stands.
+/// Motion of a vehicle that stands at `stop` at time `t`, while its wheels turn.
 Motion standing(const Way& way, const Vehicle& vehicle, const Stop& stop, double t) {
   const double before = steering_angle(vehicle, stop.curvature_before);
   const double after = steering_angle(vehicle, stop.curvature_after);
@@ -38,13 +38,13 @@ Motion standing(const Way& way, const Vehicle& vehicle, const Stop& stop, double
   return motion;
 }
 
-/// What is driven with one acceleration or jerk: from a knot to `end` [m].
+/// Part of a drive with constant acceleration or jerk: from a knot to `end` [m].
 struct Part {
   const SpeedKnot& knot;
   double end;
 };
 
-/// `t` lies within the drive.
+/// Part of the drive at time `t`, which must lie within the drive [s].
 Part part_at(const SpeedProfile& profile, double t) {
   const auto later = std::ranges::upper_bound(profile.knots, t, {}, &SpeedKnot::t);
   const SpeedKnot& knot = *std::prev(later);
@@ -67,7 +67,7 @@ Motion motion_on(const Way& way, const Vehicle& vehicle, const SpeedProfile& pro
   const double s = place_on(part, t);
   const double v = std::max(knot.v + d * (knot.a + d * knot.jerk / 2), 0.0);
   const double a = knot.a + d * knot.jerk;
-  // At a stop the segment that leads there, until the stop has begun.
+  // Where two segments meet at a stop, the earlier one counts until the stop has begun.
   const PathPoint place = way.at(s, s < part.end);
   return {.t = t,
           .s = s,
@@ -75,7 +75,7 @@ Motion motion_on(const Way& way, const Vehicle& vehicle, const SpeedProfile& pro
           .curvature = place.curvature,
           .steering_angle = steering_angle(vehicle, place.curvature),
           .direction = place.direction,
-          .v = place.direction * v + 0.0,  // no -0
+          .v = place.direction * v + 0.0,  // adding 0 avoids -0
           .a = place.direction * a + 0.0};
 }
 
@@ -106,7 +106,7 @@ std::vector<Motion> sampled(const Path& path, const Vehicle& vehicle, const Spee
                          " s, expected more than 0, and 10^7 of them for the drive at most");
   }
   const Way way(path);
-  // 1. The times: of start, goal and pauses, and a grid, but for what is next to those.
+  // 1. Times of start, goal and pauses, and a grid without points next to them.
   std::vector<double> times = {0.0, profile.duration};
   for (const Stop& stop : profile.stops) {
     times.push_back(stop.t);
@@ -125,7 +125,7 @@ std::vector<Motion> sampled(const Path& path, const Vehicle& vehicle, const Spee
   times.insert(times.end(), grid.begin(), grid.end());
   std::inplace_merge(times.begin(), times.begin() + marked, times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
-  // 2. The motion then.
+  // 2. The motion at these times.
   std::vector<Motion> motions;
   motions.reserve(times.size());
   for (const double t : times) motions.push_back(motion_on(way, vehicle, profile, t));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How fast may a path be driven by a vehicle that is on its way already?
+// How fast may a path be driven by a vehicle that already moves at its start?
 
 #include <optional>
 
@@ -9,15 +9,15 @@
 
 namespace vandplan::speed {
 
-/// How a vehicle comes to the start of a path.
+/// Motion of a vehicle at the start of a path.
 struct MovingStart {
-  double curvature = 0.0;  ///< that its wheels are turned to [1/m]
-  double speed = 0.0;      ///< in the gear of the first segment; >= 0 [m/s]
+  double curvature = 0.0;  ///< curvature to which the wheels are turned [1/m]
+  double speed = 0.0;      ///< speed in the gear of the first segment [m/s]; >= 0
 };
 
-/// As `speed_profile`, for a vehicle that may come with a speed; it then has no limit of jerk.
-/// Where it comes faster than the limits allow it brakes until they do, a thousandth harder than
-/// they say. None if it cannot come to stand in time where it has to.
+/// Speed profile for a vehicle that may move at the start; then `max_jerk` is ignored. Where the
+/// vehicle is too fast, it brakes a thousandth harder than its limit. None if it cannot stop in
+/// time where it has to. Otherwise like `speed_profile`.
 [[nodiscard]] std::optional<SpeedProfile> profile_from(const Path& path, const Vehicle& vehicle,
                                                        const MovingStart& start);
 

@@ -17,10 +17,10 @@ namespace {
 
 using speed::Cap;
 
-/// What is shorter, all that follows each other together, is passed over [m]: nobody drives it.
+/// Segments in a row of less total length are passed over [m]: no vehicle drives them.
 constexpr double least_motion = 1e-9;
 
-/// Puts the drive together, stretch by stretch.
+/// Builds a drive stretch by stretch.
 class Drive {
  public:
   Drive(const Vehicle& vehicle, const speed::MovingStart& start)
@@ -39,7 +39,7 @@ class Drive {
     const bool changes_gear = gear_ != 0.0 && sign != gear_;
     const bool jumps = turn_to(segment.curvature) > ignored_steering_jump;
     if (changes_gear || jumps) stop(segment.curvature);
-    // Counted from the last stop: what is short is not lost beside a long way there.
+    // Distances count from the last stop, so that short segments do not vanish after a long path.
     speed::add_caps(segment, since_stop_, vehicle_, caps_);
     since_stop_ += length;
     s_ += length;
@@ -47,7 +47,7 @@ class Drive {
     curvature_ = curvature_at(segment, length);
   }
 
-  /// None if the vehicle comes too fast.
+  /// The speed profile; none if the vehicle is too fast to stop where it has to.
   std::optional<SpeedProfile> finish() {
     finish_stretch();
     if (speed_ > 0.0 || is_too_fast_) return std::nullopt;
@@ -57,12 +57,12 @@ class Drive {
   }
 
  private:
-  /// By how much the wheels turn to make that curvature [rad].
+  /// Angle by which the wheels turn from the current curvature to `curvature` [rad].
   [[nodiscard]] double turn_to(double curvature) const {
     return std::abs(steering_angle(vehicle_, curvature) - steering_angle(vehicle_, curvature_));
   }
 
-  /// Drives the stretch up to here and stands until the wheels are turned.
+  /// Drives the stretch up to this place and stands until the wheels are turned.
   void stop(double curvature) {
     finish_stretch();
     if (speed_ > 0.0) is_too_fast_ = true;
@@ -103,16 +103,16 @@ class Drive {
 
   const Vehicle& vehicle_;
   SpeedProfile profile_;
-  std::vector<Cap> caps_;     // of the stretch, from its begin on
-  double curvature_;          // that the wheels are turned to
-  double speed_;              // with which it comes to the stretch [m/s]
-  bool is_too_fast_ = false;  // to stand where it has to
-  double gear_ = 0.0;         // 1, -1, or 0 before the first segment
+  std::vector<Cap> caps_;     // caps of the stretch so far
+  double curvature_;          // curvature to which the wheels are turned [1/m]
+  double speed_;              // speed at the begin of the stretch [m/s]
+  bool is_too_fast_ = false;  // whether the vehicle is too fast to stop where it has to
+  double gear_ = 0.0;         // gear: 1 forward, -1 reverse, 0 before the first segment
   double s_ = 0.0;
   double t_ = 0.0;
-  double stop_ = 0.0;         // where the stretch began [m]
-  double since_stop_ = 0.0;   // its length so far [m]
-  double passed_over_ = 0.0;  // of it, since something was driven [m]
+  double stop_ = 0.0;         // begin of the stretch, from the start of the path [m]
+  double since_stop_ = 0.0;   // length of the stretch so far [m]
+  double passed_over_ = 0.0;  // length of the last segments that were passed over [m]
 };
 
 }  // namespace

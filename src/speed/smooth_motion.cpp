@@ -15,9 +15,9 @@
 namespace vandplan::speed {
 namespace {
 
-constexpr std::size_t section = 30;  // phases that are led to their end for themselves
+constexpr std::size_t section = 30;  // number of phases whose jerks are corrected together
 
-/// Places of a stretch, with the squared speed there of a drive and the largest one.
+/// Places of a stretch [m], with the squared speed of a drive and the largest one [m^2/s^2].
 struct Places {
   std::vector<double> s, u, most;
 
@@ -33,7 +33,7 @@ struct Places {
   }
 };
 
-/// The knot `t` seconds on.
+/// State of the motion `t` seconds after a knot.
 SpeedKnot later(SpeedKnot knot, double t) {
   knot.t += t;
   knot.s += t * (knot.v + t * (knot.a / 2 + t * knot.jerk / 6));
@@ -42,7 +42,8 @@ SpeedKnot later(SpeedKnot knot, double t) {
   return knot;
 }
 
-/// Where in a phase of so many seconds the drive has come to `s`; the speed is nowhere negative.
+/// Time after `knot` at which the drive is at `s` [s], within a phase of `duration` seconds. The
+/// speed must not be negative.
 double time_to(const SpeedKnot& knot, double duration, double s) {
   double low = 0.0;
   double high = duration;
@@ -53,7 +54,7 @@ double time_to(const SpeedKnot& knot, double duration, double s) {
   return high;
 }
 
-/// Asks a drive for its speeds, at times or at places that come in order.
+/// States of a drive, at increasing times and at increasing places.
 class Follower {
  public:
   explicit Follower(const SmoothDrive& drive) : drive_(drive) {}
@@ -70,20 +71,21 @@ class Follower {
 
  private:
   const SmoothDrive& drive_;
-  std::size_t i_ = 0;  // the knot of the last time
-  std::size_t j_ = 0;  // and of the last place
+  std::size_t i_ = 0;  // index of the knot before the last time
+  std::size_t j_ = 0;  // index of the knot before the last place
 };
 
-/// Whether two neighbours differ by more than tangents of one limit do.
+/// Whether two neighbouring caps differ by more than tangents of one limit do.
 bool jumps(const Cap& before, const Cap& next) {
   return std::abs(next.first - before.last) > 1e-3 * before.last;
 }
 
-/// Places at equal times of a drive, some for the time in which the acceleration builds up, and
-/// where the caps jump: there both hold.
+/// Places at equal times of a drive, several while the acceleration builds up. Where caps jump
+/// there is another place, and both caps hold there.
 Places places_of(const SmoothDrive& drive, std::span<const Cap> caps, const DrivingLimits& limits) {
   constexpr double density = 5;
-  constexpr double close = 0.4;  // to a jump, in gaps: such a place is left out
+  // Places nearer to a jump are left out; unit: distance of two places.
+  constexpr double close = 0.4;
   const double braking = limits.max_braking.value_or(limits.max_acceleration);
   const double build_up = std::min(limits.max_acceleration, braking) / *limits.max_jerk;
   const double count = std::clamp(std::ceil(density * drive.duration / build_up), 48.0, 400.0);
@@ -91,7 +93,7 @@ Places places_of(const SmoothDrive& drive, std::span<const Cap> caps, const Driv
   places.add(caps.front().begin, 0.0, 0.0);
   Follower follower(drive);
   std::size_t cap = 0;
-  std::size_t jump = 0;  // the last place where the caps jump
+  std::size_t jump = 0;  // index of the last place where the caps jump
   for (double i = 1; i < count; ++i) {
     const SpeedKnot at = follower.at_time(drive.duration * (i / count));
     const double gap = close * at.v * drive.duration / count;
@@ -110,13 +112,14 @@ Places places_of(const SmoothDrive& drive, std::span<const Cap> caps, const Driv
   return places;
 }
 
-/// A time with an even jerk.
+/// Time span with constant jerk.
 struct Phase {
-  double t;  // how long [s]
+  double t;  // duration [s]
   double jerk;
 };
 
-/// From standing the jerk is even until the middle of the second way; then from middle to middle.
+/// Phases of constant jerk: from standstill to the middle of the second way, then from middle to
+/// middle.
 std::vector<Phase> phases_of(const SmoothOptimum& optimum, std::size_t ways) {
   std::vector<Phase> phases;
   const auto add = [&](double t, double change) { phases.push_back({t, change / t}); };
@@ -130,15 +133,15 @@ std::vector<Phase> phases_of(const SmoothOptimum& optimum, std::size_t ways) {
 
 using Vector = std::array<double, 3>;
 
-/// What a jerk of 1 in a phase, `left` seconds before the end, does to acceleration, speed and
-/// place at the end.
+/// Change of acceleration, speed and place at the end by a jerk of 1 during a phase that ends
+/// `left` seconds earlier.
 Vector effect(const Phase& phase, double left) {
   const double t = phase.t;
   return {t, t * (left + t / 2), t * (left * left / 2 + left * t / 2 + t * t / 6)};
 }
 
-/// Changes the jerks a little so that they lead from one state to another one: the least change is
-/// a parabola over the time that is left.
+/// Changes the jerks of `phases` so that they lead from one state to another. The least change is a
+/// parabola over the remaining time.
 void lead(const SpeedKnot& from, const SpeedKnot& to, std::span<Phase> phases) {
   std::array<Vector, 3> sums{};
   double left = 0.0;
@@ -159,7 +162,7 @@ void lead(const SpeedKnot& from, const SpeedKnot& to, std::span<Phase> phases) {
     }
     left += phases[i].t;
   }
-  // Gauss' method; the sums are positive definite.
+  // Gaussian elimination; the matrix `sums` is positive definite.
   for (std::size_t j = 0; j < 3; ++j) {
     for (std::size_t k = j + 1; k < 3; ++k) {
       const double share = sums[k][j] / sums[j][j];
@@ -178,15 +181,15 @@ void lead(const SpeedKnot& from, const SpeedKnot& to, std::span<Phase> phases) {
   }
 }
 
-/// The drive that the optimum is near to: the jerk is even from the middle of a way to that of the
-/// next one.
+/// Drive near the optimum: the jerk is constant from the middle of a way to the middle of the next
+/// way.
 SmoothDrive driven(const Places& places, const SmoothOptimum& optimum) {
   const std::size_t ways = places.s.size() - 1;
   std::vector<Phase> phases = phases_of(optimum, ways);
   SmoothDrive drive;
   SpeedKnot knot{.s = places.s.front(), .bound = SpeedBound::jerk};
   for (std::size_t first = 0; first < phases.size();) {
-    // To the middle of a way some phases on, or to the end.
+    // The section ends in the middle of a way, or at the end of the stretch.
     std::size_t next = first + section;
     SpeedKnot to{.s = places.s.back()};
     if (next + section < phases.size()) {
@@ -208,18 +211,18 @@ SmoothDrive driven(const Places& places, const SmoothOptimum& optimum) {
   return drive;
 }
 
-/// Holds drives to the limits.
+/// Checks whether drives keep the limits.
 class Judge {
  public:
   Judge(std::span<const Cap> caps, const DrivingLimits& limits) : caps_(caps), limits_(limits) {}
 
-  /// The largest squared speed of a drive as a share of the cap, in each of its phases.
+  /// Largest squared speed in each phase of a drive, as a share of the cap.
   [[nodiscard]] std::vector<double> shares(const SmoothDrive& drive) const {
     return shares_if_slowed(drive, 1.0);
   }
 
-  /// By how much all of a drive has to be slowed down to keep the limits; none if it goes backwards
-  /// or does not end where it should.
+  /// Factor by which the whole drive has to be slowed down to keep the limits. None if it goes
+  /// backwards or ends at another state.
   [[nodiscard]] std::optional<double> slowness(const SmoothDrive& drive) const {
     const double loss = limits_.max_braking.value_or(limits_.max_acceleration);
     double slowness = 1.0;
@@ -230,12 +233,13 @@ class Judge {
       slowness = std::max({slowness, std::sqrt(std::max(hard, 0.0)),
                            std::cbrt(std::abs(knot.jerk) / *limits_.max_jerk)});
       if (!(knot.v >= 0.0)) return std::nullopt;
-      const double turn = -knot.a / knot.jerk;  // where the speed is least
+      // Time after the knot at which the speed is least [s].
+      const double turn = -knot.a / knot.jerk;
       const bool has_turn = knot.a < 0.0 && turn > 0.0 && turn < duration_of(drive, i);
       if (has_turn && (is_last ? knot.jerk <= 0.0 : later(knot, turn).v < 0.0)) return std::nullopt;
     }
     if (!ends_well(drive)) return std::nullopt;
-    // A slower drive is furthest above a cap elsewhere.
+    // The worst place changes when the drive is slowed down, so this is repeated.
     constexpr int most = 30;
     for (int i = 0; i < most; ++i) {
       const std::vector<double> shares = shares_if_slowed(drive, slowness);
@@ -252,7 +256,7 @@ class Judge {
     return (is_last ? drive.duration : drive.knots[i + 1].t) - drive.knots[i].t;
   }
 
-  /// Whether it stands at its end, but for rounding.
+  /// Whether the drive stands at the end of the stretch, up to rounding.
   [[nodiscard]] bool ends_well(const SmoothDrive& drive) const {
     constexpr double rounding = 1e-10;
     const std::size_t last = drive.knots.size() - 1;
@@ -279,7 +283,7 @@ class Judge {
       for (double t = 0.0;;) {
         const bool ends_here = cap + 1 == caps_.size() || place <= caps_[cap].end;
         const double next = ends_here ? end : time_to(knot, end, caps_[cap].end);
-        // It is furthest above the cap where both have the same slope, or at the ends.
+        // The speed is furthest above the cap where both have the same slope, or at the ends.
         const double touch = (caps_[cap].slope() / 2 * square - knot.a) / knot.jerk;
         look(t);
         look(next);
@@ -296,7 +300,7 @@ class Judge {
   const DrivingLimits& limits_;
 };
 
-/// What keeps each phase from being faster; where nothing does so nearly, it is the jerk elsewhere.
+/// Sets the limit that bounds each phase. If no limit is nearly reached, it is the jerk elsewhere.
 void name_bounds(std::span<const double> shares, std::span<const Cap> caps,
                  const DrivingLimits& limits, SmoothDrive& drive) {
   constexpr double nearly = 0.98;
@@ -348,7 +352,7 @@ SmoothDrive made_faster(SmoothDrive drive, std::span<const Cap> caps, const Driv
       name_bounds(shares, caps, limits, drive);
     }
     if (*slowness <= enough) break;
-    // Once more, with lower caps where it was above them.
+    // The next round has lower caps where the drive was above them.
     for (std::size_t i = 1; i < ways; ++i) {
       if (shares[i] > 1.0) optimum.lower(i, shares[i]);
     }

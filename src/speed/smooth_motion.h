@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How is a drive without jumps of the acceleration made faster?
+// How is a drive with limited jerk made faster?
 
 #include <span>
 #include <vector>
@@ -11,14 +11,14 @@
 
 namespace vandplan::speed {
 
-/// A drive from stop to stop, with times since the start of the stretch.
+/// Drive from stop to stop; times count from the start of the stretch.
 struct SmoothDrive {
   std::vector<SpeedKnot> knots;
-  double duration = 0.0;  // [s]
+  double duration = 0.0;  // duration of the drive [s]
 };
 
-/// A faster drive within the caps and `limits`, whose jerk must be there, near the fastest; the
-/// given one, which keeps them, if none is found.
+/// Near-optimal drive within `caps` and `limits`, which must have a jerk. `drive` must keep them.
+/// If no faster drive is found, `drive` is the result.
 [[nodiscard]] SmoothDrive made_faster(SmoothDrive drive, std::span<const Cap> caps,
                                       const DrivingLimits& limits);
 

@@ -19,7 +19,7 @@ SmoothOptimum::SmoothOptimum(std::vector<double> s, std::vector<double> most,
       loss_(limits.max_braking.value_or(limits.max_acceleration)),
       jerk_(*limits.max_jerk) {
   for (std::size_t i = 0; i < s.size(); ++i) places_.push_back({s[i], most[i]});
-  // From standing with full jerk s = j t^3 / 6 and v = j t^2 / 2.
+  // From standstill with full jerk: s = j t^3 / 6 and v = j t^2 / 2.
   const auto from_rest = [&](double way) {
     const double t = std::cbrt(6 * way / jerk_);
     return jerk_ * t * t / 2 * (jerk_ * t * t / 2);
@@ -55,7 +55,7 @@ double SmoothOptimum::share_of_jerk(std::size_t i) const {
   return (ways_[i].a - ways_[i - 1].a) / (jerk_ * time_between(i - 1));
 }
 
-/// Duration and barriers; infinite outside the limits.
+/// Objective: duration plus barriers [s]; infinite outside the limits.
 double SmoothOptimum::value(double mu) const {
   double t = ways_[0].t;
   double product = 1.0;
@@ -106,7 +106,7 @@ void SmoothOptimum::add_barriers(double mu) {
     rows_[i].diagonals[0] += bend;
     rows_[i + 1].diagonals[0] += bend;
     rows_[i].diagonals[1] -= bend;
-    // Of the jerk the second derivatives are left out, so that the model stays convex.
+    // The second derivatives of the jerk are left out, so that the model stays convex.
     const double change = jerk_ * time_between(i - 1);
     const double share = (after.a - before.a) / change;
     const double by_before = share * jerk_ * share_after(i - 1) / change;
@@ -143,13 +143,13 @@ void SmoothOptimum::add_duration() {
   }
 }
 
-/// The step to the least of the model, by Cholesky's method for five diagonals; returns how fast
-/// the value changes along it.
+/// Computes the step to the minimum of the model, by Cholesky's method for five diagonals. Returns
+/// the derivative of the objective along the step.
 double SmoothOptimum::find_step() {
   for (std::size_t i = 1; i < last(); ++i) {
     Row& row = rows_[i];
     step_[i] = -row.gradient;
-    // What the rows before take from this one.
+    // Eliminates the two rows above.
     for (std::size_t k = 1; k <= 2 && k < i; ++k) {
       const Row& above = rows_[i - k];
       const double share = above.diagonals[k] / above.diagonals[0];
@@ -169,7 +169,7 @@ double SmoothOptimum::find_step() {
   return slope;
 }
 
-/// One step of Newton's method; false if there is little left to gain.
+/// Makes one step of Newton's method. False if there is little left to gain.
 bool SmoothOptimum::newton(double mu, std::vector<double>& u) {
   const double before = value(mu);
   std::fill(rows_.begin(), rows_.end(), Row{});
@@ -207,7 +207,7 @@ bool SmoothOptimum::improve(std::vector<double>& u) {
   set(u);
   double duration = 0.0;
   for (const Way& way : ways_) duration += way.t;
-  // What mu times the number of limits is of the duration is about what is lost.
+  // The duration exceeds the optimum by about mu times the number of limits.
   const double limits = 5 * static_cast<double>(last());
   int steps = 0;
   for (double mu = 0.02 * duration / limits; mu > 1e-4 * duration / limits; mu *= 0.05) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which speeds at places along a stretch take the least time when the acceleration may not jump?
+// Which speeds along a stretch take the least time when the jerk is limited?
 
 #include <array>
 #include <cstddef>
@@ -11,35 +11,38 @@
 
 namespace vandplan::speed {
 
-/// The least time from stop to stop over the squared speeds u at places of a stretch.
+/// Minimizes the duration from stop to stop over the squared speeds u at places of a stretch.
 ///
-/// The acceleration between two places is half the slope of u; from one way to the next it changes
-/// by no more than the jerk times the time between their middles. An interior-point method:
-/// Newton's method on the duration less mu times the logarithms of what is left to each limit,
-/// while mu falls.
+/// A way leads from one place to the next. Its acceleration is half the slope of u. From one way to
+/// the next it changes by at most the jerk limit times the time between their middles. The method
+/// is an interior-point method. Newton's method minimizes the duration less mu times the logarithms
+/// of the distances to each limit, while mu falls.
 class SmoothOptimum {
  public:
-  /// `s` increases, `most` is the largest u at these places; the first and the last are the stops.
+  /// `s` increases [m]; `most` has the largest u at these places [m^2/s^2]. The first and the last
+  /// place are the stops.
   SmoothOptimum(std::vector<double> s, std::vector<double> most, const DrivingLimits& limits);
 
-  /// Goes on from `u`, which is made slower until it is within the limits. False if it never is.
+  /// Improves `u` [m^2/s^2], after slowing it down until it is within the limits. False if it never
+  /// is.
   [[nodiscard]] bool improve(std::vector<double>& u);
 
-  /// Divides the largest u at a place.
+  /// Divides the largest u at place i by `divisor`.
   void lower(std::size_t i, double divisor) { places_[i].most /= divisor; }
 
-  /// How long the way from place i to the next takes [s].
+  /// Duration of the way from place i to place i + 1 [s].
   [[nodiscard]] double time(std::size_t i) const { return ways_[i].t; }
-  /// How long from the moment on it that has its mean acceleration to that of the next way [s].
+  /// Time from the moment of mean acceleration on way i to that on way i + 1 [s].
   [[nodiscard]] double time_between(std::size_t i) const {
     return share_after(i) * ways_[i].t + share_before(i + 1) * ways_[i + 1].t;
   }
-  /// The share of the way's time before that moment: a half, but from standing three quarters.
+  /// Share of the duration of way i before its moment of mean acceleration: a half. From standstill
+  /// it is three quarters, to standstill one quarter.
   [[nodiscard]] double share_before(std::size_t i) const {
     return i == 0 ? 0.75 : i + 1 == last() ? 0.25 : 0.5;
   }
   [[nodiscard]] double share_after(std::size_t i) const { return 1 - share_before(i); }
-  /// The mean acceleration on it [m/s^2].
+  /// Mean acceleration on way i [m/s^2].
   [[nodiscard]] double acceleration(std::size_t i) const { return ways_[i].a; }
 
  private:
@@ -47,12 +50,13 @@ class SmoothOptimum {
     double s;
     double most;
   };
-  /// From a place to the next one.
+  /// Drive from a place to the next one.
   struct Way {
-    double t, a;         // how long, and the acceleration
-    double first, last;  // slopes of t by u at its ends
+    double t, a;         // duration [s] and mean acceleration [m/s^2]
+    double first, last;  // derivatives of t by u at the begin and the end of the way
   };
-  /// Gradient and the three upper diagonals of the second derivatives, then of their factors.
+  /// Row of Newton's equations: gradient, and three upper diagonals of the second derivatives.
+  /// Factorization overwrites the diagonals.
   struct Row {
     double gradient = 0.0;
     std::array<double, 3> diagonals{};
@@ -72,7 +76,7 @@ class SmoothOptimum {
 
   std::vector<Place> places_;
   double gain_, loss_, jerk_;
-  std::vector<double> u_;  // where `ways_` are known
+  std::vector<double> u_;  // squared speeds for which `ways_` are computed [m^2/s^2]
   std::vector<Way> ways_;
   std::vector<Row> rows_;
   std::vector<double> step_;

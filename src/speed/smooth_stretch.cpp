@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-// How is a stretch driven when the acceleration may not jump?
+// How is a stretch driven with limited jerk?
 
 #include <algorithm>
 #include <cmath>
@@ -12,22 +12,22 @@
 namespace vandplan::speed {
 namespace {
 
-/// A part of the path with one largest speed.
+/// Part of the path with a constant largest speed.
 struct Zone {
-  double begin;  // [m]
-  double end;    // [m]
-  double v;      // [m/s]
+  double begin;  // begin of the zone [m]
+  double end;    // end of the zone [m]
+  double v;      // largest speed [m/s]
   SpeedBound bound;
 };
 
-/// A moment without acceleration.
+/// Place and speed of a moment without acceleration.
 struct Anchor {
-  double s;  // [m]
-  double v;  // [m/s]
+  double s;  // place [m]
+  double v;  // speed [m/s]
 };
 
-/// From one speed up to another one without acceleration at either end. The way down is the way up
-/// turned round.
+/// Change from a low to a high speed, without acceleration at either end. A descent is a ramp in
+/// reverse.
 class Ramp {
  public:
   Ramp(double low, double high, double acceleration, double jerk)
@@ -42,16 +42,16 @@ class Ramp {
   [[nodiscard]] double bend() const { return bend_; }
   [[nodiscard]] double hold() const { return hold_; }
 
-  /// All of it [m]: the speeds are symmetric about their mean.
+  /// Length of the ramp [m]: the speeds are symmetric about their mean.
   [[nodiscard]] double length() const { return (low_ + high_) / 2 * (2 * bend_ + hold_); }
 
-  /// How far from the slow end the speed is `v`.
+  /// Distance from the slow end at which the speed is `v` [m].
   [[nodiscard]] double length_to(double v) const {
     if (v <= low_) return 0.0;
     if (v >= high_) return length();
-    const double bent = peak_ * bend_ / 2;  // gained in the first bend
+    const double bent = peak_ * bend_ / 2;  // gain of speed in the first bend [m/s]
     if (v <= low_ + bent) return bend_from(low_, std::sqrt(2 * (v - low_) / jerk_));
-    // The last bend is the first one, seen from the end.
+    // The last bend mirrors the first one.
     if (v >= high_ - bent) {
       const double left = std::sqrt(2 * (high_ - v) / jerk_);
       return length() - left * (high_ - jerk_ * left * left / 6);
@@ -64,12 +64,13 @@ class Ramp {
   [[nodiscard]] double bend_from(double v, double t) const { return t * (v + jerk_ * t * t / 6); }
 
   double low_, high_, jerk_;
-  double peak_;  // acceleration
-  double bend_;  // how long the acceleration takes to get there, and to vanish again
-  double hold_;  // how long it stays
+  double peak_;  // largest acceleration [m/s^2]
+  // Time in which the acceleration grows to `peak_`, and in which it vanishes again [s].
+  double bend_;
+  double hold_;  // time for which the acceleration stays at `peak_` [s]
 };
 
-/// Up from `from` to a top speed, along at that speed, down to `to`.
+/// Drive from anchor `from` up to speed `top`, along at that speed, and down to anchor `to`.
 struct Hump {
   Anchor from;
   Anchor to;
@@ -78,7 +79,7 @@ struct Hump {
   Ramp down;
 };
 
-/// Puts a stretch together from humps.
+/// Builds the drive of a stretch from humps.
 class Smoother {
  public:
   Smoother(std::vector<Zone> zones, const DrivingLimits& limits, std::vector<SpeedKnot>& knots)
@@ -88,16 +89,17 @@ class Smoother {
         jerk_(*limits.max_jerk),
         knots_(knots) {}
 
-  /// Adds the drive between two anchors; there must be one.
+  /// Appends the drive between two anchors; one must exist.
   void drive(const Anchor& from, const Anchor& to) {
     if (!(from.s < to.s)) return;
     const Hump hump = highest(from, to);
-    const double begin = from.s + hump.up.length();  // of the level part
+    const double begin = from.s + hump.up.length();  // begin of the level part [m]
     const double end = to.s - hump.down.length();
     if (!(end - begin > rounding * (to.s - from.s))) {
       add(hump, begin);
     } else if (!drive_beside_low_zones(hump, begin, end)) {
-      // No zone holds the level part down, but one holds a slope: go on from where that ends.
+      // No zone limits the level part, so one limits a ramp: the drive goes on from the end of the
+      // ramp.
       if (from.s < begin || end < to.s) {
         climb(from, hump.up);
         drive({begin, hump.top}, {end, hump.top});
@@ -112,13 +114,14 @@ class Smoother {
 
  private:
   static constexpr double rounding = 1e-9;
-  static constexpr int most_halvings = 500;  // of a top speed, which may be tiny
+  // Halvings in the search for a top speed, which may be tiny.
+  static constexpr int most_halvings = 500;
 
   [[nodiscard]] Hump hump(const Anchor& from, const Anchor& to, double top) const {
     return {from, to, top, Ramp(from.v, top, gain_, jerk_), Ramp(to.v, top, loss_, jerk_)};
   }
 
-  /// Whether it fits in between and under the zones.
+  /// Whether a hump fits between its anchors and below the zones.
   [[nodiscard]] bool fits(const Hump& hump) const {
     const double room = hump.to.s - hump.from.s;
     if (hump.up.length() + hump.down.length() > room) return false;
@@ -132,7 +135,7 @@ class Smoother {
     return true;
   }
 
-  /// The highest hump that fits, up to halving.
+  /// Highest hump that fits, found by bisection.
   [[nodiscard]] Hump highest(const Anchor& from, const Anchor& to) const {
     double low = std::max(from.v, to.v);
     double high = low;
@@ -147,13 +150,13 @@ class Smoother {
     return hump(from, to, low);
   }
 
-  /// The first zone that ends behind `s`.
+  /// First zone that ends behind `s` [m].
   [[nodiscard]] std::vector<Zone>::const_iterator first_zone(double s) const {
     return std::ranges::upper_bound(zones_, s, {}, &Zone::end);
   }
 
-  /// Where zones allow no more than the level part of a hump, it stays; the drive beside them may
-  /// be higher. False, and nothing is added, if there are none.
+  /// If zones limit the level part of a hump, the drive is level there and may be faster beside
+  /// them. Returns false, and appends nothing, if there are no such zones.
   bool drive_beside_low_zones(const Hump& hump, double begin, double end) {
     Anchor last = hump.from;
     bool is_low = false;
@@ -189,7 +192,7 @@ class Smoother {
     phases(from, ramp, -1.0, SpeedBound::braking);
   }
 
-  /// Three phases: the acceleration appears, stays and vanishes.
+  /// Appends three phases: the acceleration grows, stays and vanishes.
   void phases(const Anchor& from, const Ramp& ramp, double sign, SpeedBound bound) {
     SpeedKnot knot{t_, from.s, from.v, 0.0, sign * jerk_, SpeedBound::jerk};
     const auto pass = [&](double duration) {
@@ -213,7 +216,7 @@ class Smoother {
   double t_ = 0.0;
 };
 
-/// Zones below caps: where a cap is not level, as many as keep speeds within 2 % of it.
+/// Zones below caps. A cap that is not level becomes as many zones as keep speeds within 2 % of it.
 std::vector<Zone> zones_below(std::span<const Cap> caps) {
   constexpr double step = 0.02;
   constexpr double most = 400;
@@ -247,7 +250,7 @@ double drive_stretch_smoothly(std::span<const Cap> caps, const DrivingLimits& li
   Smoother smoother(zones_below(caps), limits, drive.knots);
   smoother.drive({caps.front().begin, 0.0}, {caps.back().end, 0.0});
   drive.duration = smoother.duration();
-  // Below one level cap a hump is the fastest drive.
+  // Below a single level cap a hump is the fastest drive.
   if (caps.size() > 1) drive = made_faster(std::move(drive), caps, limits);
   knots.insert(knots.end(), drive.knots.begin(), drive.knots.end());
   return drive.duration;

@@ -8,8 +8,8 @@
 namespace vandplan::speed {
 namespace {
 
-/// Lowers caps, met in the order in which they are added, so that speed^2 rises by no more than
-/// `rise` for each metre, from `first` on.
+/// Lowers caps so that speed^2 rises by at most `rise` per metre, beginning with `first`. Caps are
+/// added in the order of the drive.
 class RisePass {
  public:
   RisePass(double rise, SpeedBound bound, double first, std::vector<Cap>& lowered)
@@ -20,7 +20,7 @@ class RisePass {
     const double slope = cap.slope();
     const double gap = cap.first - value_;
     const double length = cap.end - cap.begin;
-    // How far it takes to reach the cap.
+    // Distance after which the rising line reaches the cap [m].
     const double reach = slope < rise_ ? gap / (rise_ - slope) : length;
     if (!(reach < length)) {
       push(cap.begin, cap.end, std::min(value_ + rise_ * length, cap.last), bound_);
@@ -49,7 +49,7 @@ class RisePass {
   double value_;
 };
 
-/// The caps as they are met on the way back, places counted backwards.
+/// Reverses caps: their order, and the signs of their places.
 void turn_round(std::vector<Cap>& caps) {
   std::ranges::reverse(caps);
   for (Cap& cap : caps) {
@@ -57,16 +57,16 @@ void turn_round(std::vector<Cap>& caps) {
   }
 }
 
-/// The largest squared speeds that acceleration and braking allow below the caps, from a squared
-/// speed at the begin down to 0 at the end.
+/// Lowers caps to the largest squared speeds that acceleration and braking allow, from `first` at
+/// the begin to 0 at the end [m^2/s^2].
 void lower(std::vector<Cap>& caps, double first, const DrivingLimits& limits) {
   const double braking = limits.max_braking.value_or(limits.max_acceleration);
-  // 1. Forward: no faster than it can have become since the last stop.
+  // 1. Forward: the speed is limited by acceleration since the last stop.
   std::vector<Cap> risen;
   risen.reserve(2 * caps.size());
   RisePass forward(2 * limits.max_acceleration, SpeedBound::acceleration, first, risen);
   for (const Cap& cap : caps) forward.add(cap);
-  // 2. Backward: no faster than it can still brake.
+  // 2. Backward: the speed is limited by braking before the next stop.
   turn_round(risen);
   caps.clear();
   RisePass backward(2 * braking, SpeedBound::braking, 0.0, caps);
@@ -74,8 +74,8 @@ void lower(std::vector<Cap>& caps, double first, const DrivingLimits& limits) {
   turn_round(caps);
 }
 
-/// Raises caps to a squared speed that falls by `fall` for each metre from the begin on, as far as
-/// it is above them. Whether it comes down to them.
+/// Raises caps to the squared speed of braking: it begins with `square` and falls by `fall` per
+/// metre. Returns whether it comes down to the caps.
 bool brake_down(double square, double fall, std::vector<Cap>& caps) {
   const double begin = caps.front().begin;
   const auto line = [&](double s) { return square - fall * (s - begin); };
@@ -103,7 +103,7 @@ bool brake_down(double square, double fall, std::vector<Cap>& caps) {
   return false;
 }
 
-/// Times: exact under constant acceleration.
+/// Appends a knot for each cap and returns the duration [s]; exact under constant acceleration.
 double timed(const std::vector<Cap>& caps, double hardest, const DrivingLimits& limits,
              std::vector<SpeedKnot>& knots) {
   double t = 0.0;
@@ -129,7 +129,8 @@ double drive_stretch(std::vector<Cap>& caps, const DrivingLimits& limits,
 std::optional<double> drive_stretch_from(double square, std::vector<Cap>& caps,
                                          const DrivingLimits& limits,
                                          std::vector<SpeedKnot>& knots) {
-  constexpr double harder = 1 + 1e-3;  // so that what is a hair too fast comes down
+  // Slightly harder, so that a speed at the limit surely comes down.
+  constexpr double harder = 1 + 1e-3;
   const double braking = harder * limits.max_braking.value_or(limits.max_acceleration);
   lower(caps, square, limits);
   if (!brake_down(square, 2 * braking, caps)) return std::nullopt;

@@ -10,7 +10,7 @@ namespace vandplan::speed {
 Way::Way(const Path& path)
     : origin_{std::round(path.start.x), std::round(path.start.y)},
       segments_(merged(path.segments)) {
-  // Poses are added up beside the start, like those of the path.
+  // Poses are accumulated relative to the rounded start, like those of the path.
   Pose pose{path.start.x - origin_.x, path.start.y - origin_.y, path.start.heading};
   double s = 0.0;
   for (const Segment& segment : segments_) {

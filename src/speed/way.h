@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Where is the vehicle after so many metres, asked again and again?
+// At which pose is a vehicle after a driven distance, asked many times for one path?
 
 #include <vector>
 
@@ -9,21 +9,21 @@
 
 namespace vandplan::speed {
 
-/// The drive along one path: the segments with what lies before them.
+/// Path with the begin of each segment precomputed.
 class Way {
  public:
   explicit Way(const Path& path);
 
-  /// The place after `s` metres. Where two segments meet `is_next` chooses the later one.
+  /// Point of the path after `s` metres. Where two segments meet, `is_next` chooses the later one.
   [[nodiscard]] PathPoint at(double s, bool is_next) const;
 
-  /// The segments of the path, neighbours joined where they go on.
+  /// Segments of the path; neighbours that continue each other are merged.
   [[nodiscard]] const std::vector<Segment>& segments() const noexcept { return segments_; }
 
  private:
   struct Begin {
     double s;
-    Pose pose;  // beside the origin
+    Pose pose;  // pose relative to `origin_`
   };
 
   [[nodiscard]] Pose to_path(const Pose& pose) const {
@@ -32,7 +32,7 @@ class Way {
 
   Point origin_;
   std::vector<Segment> segments_;
-  std::vector<Begin> begins_;  // of the segments, and the end of the path
+  std::vector<Begin> begins_;  // begins of the segments, then the end of the path
 };
 
 }  // namespace vandplan::speed

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What does the word of Reeds and Shepp, or that of full circles, tell of a word's length?
+// How long is a word, by the Reeds-Shepp word or by the circles of its turns at full lock?
 //
-// Practical bounds, measured and not proven: docs/algorithms/continuous_steering.md, section 4.
+// Bounds and estimates are measured, not proven: docs/algorithms/continuous_steering.md, section 4.
+// A `ramp` is the length of a clothoid from straight wheels to full lock [turning radii].
 
 #include <algorithm>
 #include <array>
@@ -18,7 +19,8 @@ namespace vandplan::steering::bounds {
 
 using namespace families;
 
-/// What the arcs of a word add up to; nearly a whole turn is a little less than none.
+/// Sum of the parts of a word. A first or last arc that lacks less than 1 rad of a whole turn
+/// counts as the negative rest.
 inline double signed_length(const Steps& steps, const Arcs& arcs) {
   const auto turned = [](double arc) { return arc > full_turn - 1 ? arc - full_turn : arc; };
   const double parts[] = {turned(arcs.first), arcs.inner, arcs.line, turned(arcs.last)};
@@ -27,14 +29,16 @@ inline double signed_length(const Steps& steps, const Arcs& arcs) {
   return sum;
 }
 
-/// What becomes of a turn between straight wheels whose angle by its circles falls short of a ramp
-/// by u ramps (measured).
+/// Length of a turn between straight wheels that may be too small for full lock (measured). `angle`
+/// is the turn's angle by circles at full lock; it falls short of a ramp by u = 1 - angle / ramp.
 struct Small {
-  double least;         ///< there is none if that angle is less, in ramps; see `wide`
-  double gone;          ///< it may be none if that angle is no more
-  double lack, growth;  ///< it is shorter than its angle and a ramp by u^2 (lack + growth u^4)
-  double most = 2;      ///< ramps, but by no more than that
+  double least;  ///< least `angle` with which the turn exists [ramps]; see `wide`
+  double gone;   ///< largest `angle` with which the turn may vanish [ramps]
+  /// Coefficients: the turn is shorter than angle + ramp by u^2 (lack + growth u^4) [ramps].
+  double lack, growth;
+  double most = 2;  ///< upper limit of what the turn is shorter than angle + ramp [ramps]
 
+  /// By how much the turn is shorter than angle + ramp [ramps].
   [[nodiscard]] double lacks(double u) const {
     const double short_by = std::max(u, 0.0);
     const double square = short_by * short_by;
@@ -42,9 +46,10 @@ struct Small {
   }
 };
 
-/// The first, the inner and the last turns of a word.
+/// Small turns of a word: first, inner, last.
 using SmallTurns = std::array<Small, 3>;
 
+// Turns by their neighbour: a line, one turn, two equal inner turns (8.8; 8.7), a quarter turn.
 constexpr Small by_line{-0.55, 0, 0.01, 0};
 constexpr Small by_turn{-0.57, -0.38, 0.27, 0.08};
 constexpr Small by_twins{-0.3, -0.2, 0.28, 0.18};
@@ -67,11 +72,11 @@ inline const SmallTurns& small_turns_of(Formula formula) {
   return small_turns[static_cast<std::size_t>(formula)];
 }
 
-/// By how much less the angle of a turn beside such an inner turn may be, in ramps (measured).
+/// By how much `Small::least` falls beside an inner turn of angle `inner` [ramps] (measured).
 inline double wide(double inner) { return 0.2 * std::max(0.0, inner - 1.5); }
 
-/// About how long a word of turns between straight wheels is that has these circles (measured). Of
-/// what small turns lack, more is lacking where there are several.
+/// Estimated length of a word of turns between straight wheels, from its angles by circles
+/// (measured). Several small turns lack more than the sum of what each lacks.
 inline double length_near(Formula formula, const Arcs& arcs, double ramp) {
   const Steps& steps = steps_of(formula);
   double length = arcs.first + arcs.last + 2 * ramp;
@@ -87,8 +92,8 @@ inline double length_near(Formula formula, const Arcs& arcs, double ramp) {
   return length - ramp * (first + inner + last + together);
 }
 
-/// Whether a turn with that angle by its circles may have clothoids of a length (measured), unless
-/// a line beside it lacks something; `least` as of `Small`.
+/// Whether a turn with `angle` by its circles may have clothoids of `length` (measured). Not valid
+/// beside a line of negative length. `least` is that of `Small`.
 inline bool may_wind(double least, double angle, double length, double ramp) {
   constexpr double noise = 1e-9;
   const double share = length / ramp;
@@ -98,15 +103,15 @@ inline bool may_wind(double least, double angle, double length, double ramp) {
 /// By how much the way of a turn between straight wheels is longer than its `angle` >= 0.
 inline double clothoids_add(double angle, double ramp) {
   const double more[] = {angle + ramp - angle, 2 * root(angle * ramp) - angle};
-  return more[angle < ramp ? 1 : 0];  // no branches, as neither is likely
+  return more[angle < ramp ? 1 : 0];  // a table: branches would be mispredicted
 }
 
-/// The share of a word of Reeds and Shepp in what clothoids add to it.
+/// Factors of `least_added` for the formula of a Reeds-Shepp word (measured).
 struct Shares {
-  double moved;  ///< of how they move the circles at both ends,
-  double ramps;  ///< and of so many more clothoids
-  double turns;  ///< of how much longer turns would be,
-  double inner;  ///< and how often the inner one counts
+  double moved;  ///< factor of `ramps` clothoids and of the shift of the circles at both ends
+  double ramps;  ///< number of whole clothoids beside that shift
+  double turns;  ///< factor of what clothoids add to the turns
+  double inner;  ///< number of inner turns
 };
 
 constexpr std::array<Shares, 9> shares = {{
@@ -121,9 +126,9 @@ constexpr std::array<Shares, 9> shares = {{
     {0.45, 1, 0, 0},  // r_lsr_l
 }};
 
-/// By how much clothoids of that length make the least word longer at least, where the curvature
-/// never jumps (measured); from how they move the circles at both ends of the word of Reeds and
-/// Shepp and, where it has no line, how much longer its turns would be.
+/// Lower bound of what clothoids of length `ramp` add to the shortest word where the curvature
+/// never jumps (measured). It comes from how clothoids shift the circles at both ends of the
+/// Reeds-Shepp word and, if that has no line, from what they would add to its turns.
 inline double least_added(const reeds_shepp_formulas::Solution& sharp, double ramp) {
   if (ramp > shortlists::longest_ramp) return 0;
   const auto most_cosine = [](double angle) {
@@ -143,8 +148,8 @@ inline double least_added(const reeds_shepp_formulas::Solution& sharp, double ra
   return (is_full ? 0.85 : share.moved) * (share.ramps * ramp + moved) + share.turns * longer;
 }
 
-/// Whether the word of Reeds and Shepp lacks a part, or one is a quarter turn where that is the
-/// most: there rounding decides which word it is, and several parts may vanish at once.
+/// Whether a part of the Reeds-Shepp word vanishes, or an arc is a quarter turn, its maximum. There
+/// rounding decides which word it is, and several parts may vanish at once.
 inline bool is_on_border(const Solution& sharp) {
   constexpr double noise = 1e-6;
   constexpr double quarter = std::numbers::pi / 2;

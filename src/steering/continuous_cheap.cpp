@@ -12,7 +12,7 @@ namespace {
 
 using namespace families;
 
-/// Whether Reeds and Shepp have a word of that kind.
+/// Whether the circles of the Reeds-Shepp word of a kind meet, so that the word exists.
 bool exists_sharp(const Kind& kind, const WordFrame& f) {
   static const Joints joints(SharpTurns(1e9), {true, true, true});
   if (kind.formula != Formula::lrl) return circles::word_of(kind.formula, f, joints).exact;
@@ -20,12 +20,13 @@ bool exists_sharp(const Kind& kind, const WordFrame& f) {
   return x * x + f.y * f.y <= 16;
 }
 
-/// What a word of some formula and symmetry costs.
+/// Prices of a word of one formula under one symmetry.
 struct Pricing {
-  double ahead, back;  ///< of what the formula drives forward, and in reverse
-  double cheapest;     ///< of what it drives
-  double changes;      ///< of gear, those at both ends among them
+  double ahead, back;  ///< prices of a radius that the formula drives forward, and in reverse
+  double cheapest;     ///< least price of a radius in the gears that the formula drives
+  double changes;      ///< cost of all gear changes, those at both ends included
 
+  /// Cost of the word with these arcs; negative ones count as 0.
   [[nodiscard]] double of(const Steps& steps, const Arcs& arcs) const {
     const double parts[] = {arcs.first, arcs.inner, arcs.line, arcs.last};
     double sum = changes;
@@ -37,7 +38,7 @@ struct Pricing {
   }
 };
 
-/// Nothing if the word begins or ends in the wrong gear.
+/// Prices of a word; nothing if it begins or ends in a gear that the task forbids.
 std::optional<Pricing> priced(const PricedTask& task, const GearPrices& prices, const Steps& steps,
                               const Symmetry& made) {
   const int sign = made.swaps_gears() ? -1 : 1;
@@ -47,7 +48,7 @@ std::optional<Pricing> priced(const PricedTask& task, const GearPrices& prices, 
   const int end = gear_of(made.swaps_ends() ? 0 : last);
   if (task.first_gear * begin < 0 || task.last_gear * end < 0) return std::nullopt;
   int changes = gear_changes_of(steps);
-  const bool goes_back = changes > 0;  // all formulas with a change of gear do, no other does
+  const bool goes_back = changes > 0;  // true for all formulas with a gear change, and no other
   changes += task.before * begin < 0 ? 1 : 0;
   changes += task.after * end < 0 ? 1 : 0;
   const double ahead = sign > 0 ? prices.forward : prices.reverse;
@@ -56,27 +57,27 @@ std::optional<Pricing> priced(const PricedTask& task, const GearPrices& prices, 
                  changes * prices.gear_change};
 }
 
-/// The parts of a word that is known.
+/// Lengths of the parts of a solved word.
 Arcs parts_of(const SolvedWord& word) {
   const bool has_line = shape_of(word.formula, word.stops).has_line;
   const auto& [first, middle, last] = word.lengths;
   return {word.length, first, has_line ? word.quarter : middle, has_line ? middle : 0, last};
 }
 
-/// What is known of a task before its words.
+/// Bounds of a task that do not depend on a word.
 struct TaskBounds {
-  double shortest;  ///< no path is shorter
-  double spare;     ///< what a word may cost more than its path
-  double line;      ///< the straight line, if that is the path; else 0
+  double shortest;  ///< length of the Reeds-Shepp path; no path is shorter [turning radii]
+  double spare;     ///< largest amount by which a word costs more than its path
+  double line;      ///< length of the straight line if that is the path, otherwise 0
 };
 
 bool is_that_line(const SolvedWord& word, const TaskBounds& bounds) {
   return bounds.line > 0.0 && word.length <= bounds.line * (1 + 1e-9);
 }
 
-/// A task as a symmetry of its folded frame makes it.
+/// A task under a symmetry of its folded frame.
 struct TaskImage {
-  std::size_t task;
+  std::size_t task;  ///< index of the task
   Symmetry made;
   WordFrame frame;
 };
@@ -85,14 +86,14 @@ struct TaskImage {
 struct CheapWord {
   TaskImage image;
   Pricing pricing;
-  double bound;  ///< its path costs no less
+  double bound;  ///< bound of the path's cost: exact if the word is known, otherwise practical
   Formula formula;
-  std::optional<SolvedWord> known;  ///< in closed form; else there are guesses
-  Arcs sharp, circles;
+  std::optional<SolvedWord> known;  ///< the word, if it has a closed form
+  Arcs sharp, circles;              ///< guesses for Newton's method
   bool has_circles;
 };
 
-/// The words that may be cheap enough.
+/// Words of some tasks whose paths may cost less than the cutoff.
 class CheapWords {
  public:
   CheapWords(const WordSolver& solver, std::span<const PricedTask> tasks, const GearPrices& prices,
@@ -118,7 +119,7 @@ class CheapWords {
   void look_at(std::size_t i, int gear_changes) {
     const WordTask& task = tasks_[i].task;
     const double shortest = task.sharp.arcs.length;
-    // What a word drives back is part of what was wound.
+    // A word may drive the windings back, so that its path is shorter by their length.
     const double spare = task.windings.length() * std::max(prices_.forward, prices_.reverse);
     const bool is_straight = gear_changes == 0 && is_line(folded(task.frame));
     const double line = is_straight ? task.folded.x : 0.0;
@@ -137,7 +138,7 @@ class CheapWords {
                    });
   }
 
-  /// Nothing if the word cannot be cheap enough.
+  /// Prices of a word; nothing if its path must cost at least the cutoff.
   [[nodiscard]] std::optional<Pricing> pricing_of(const TaskImage& image, Formula formula) const {
     const auto pricing = priced(tasks_[image.task], prices_, steps_of(formula), image.made);
     if (!pricing || is_too_dear(*pricing, bounds_[image.task].shortest, image)) return std::nullopt;
@@ -163,7 +164,8 @@ class CheapWords {
         if (!is_that_line(*known, bounds_[image.task])) add_known(image, pricing, *known);
         return;
       }
-      const double least = -turns.ramp();  // shorter turns than that are none
+      // With a smaller angle by its circles, a turn does not exist.
+      const double least = -turns.ramp();
       if (met.first < least || met.last < least || met.line < 2 * least) return;
     } else if (!exists_sharp(kind, f)) {
       return;
@@ -199,7 +201,7 @@ class CheapWords {
   std::span<const PricedTask> tasks_;
   GearPrices prices_;
   double cutoff_;
-  std::vector<TaskBounds> bounds_;  ///< of each task
+  std::vector<TaskBounds> bounds_;  ///< one for each task
   std::vector<CheapWord> words_;
 };
 

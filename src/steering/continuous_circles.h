@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How long are the parts of a word of which every turn reaches full lock?
+// How long are the parts of a word whose turns all reach full lock?
 //
-// Then each turn follows a circle of radius 1, and the vectors between the centres of neighbouring
-// circles are known in the frame of the pose between them: docs/algorithms/continuous_steering.md.
+// Each such turn follows a circle of radius 1. The vector between the centres of neighbouring
+// circles is known in the frame of the pose between them: docs/algorithms/continuous_steering.md.
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@
 
 namespace vandplan::steering {
 
-/// The frame of a word, with the sine and cosine of half the turn.
+/// Mean frame of a word (`MeanFrame`): x, y, half turn a, s = sin a, c = cos a.
 struct WordFrame {
   double x, y, a, s, c;
 };
@@ -28,29 +28,29 @@ inline WordFrame word_frame(const MeanFrame& f) noexcept {
   return {f.x, f.y, f.half_turn, sin, cos};
 }
 
-/// A number whose argument is an angle.
+/// A complex number whose argument is an angle.
 struct Arrow {
   double re = 1, im = 0;
 
   friend Arrow operator*(Arrow a, Arrow b) {
     return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
   }
-  [[nodiscard]] Arrow opposite() const { return {re, -im}; }  // the angle with the other sign
+  [[nodiscard]] Arrow opposite() const { return {re, -im}; }  // conjugate: the negative angle
   [[nodiscard]] double angle() const { return base::atan_2(im, re); }
   [[nodiscard]] double squared() const { return re * re + im * im; }
 };
 
-/// A word by its circles: the directions of its turns, which tell much before angles are needed.
+/// A word by its circles. Turns are directions, which suffice for many tests without arc tangents.
 struct CircleWord {
   Arrow first, last;
-  Arrow inner;  ///< of which `unwound` has to be taken
-  double unwound = 0;
-  bool wide = false;   ///< the inner turn is beyond half a turn
-  double quarter = 0;  ///< an inner turn of that angle instead
-  double line = 0;     ///< what it lacks if it is negative
-  bool exact = true;   ///< the circles meet
+  Arrow inner;         ///< direction whose angle less `unwound` is that of each inner turn
+  double unwound = 0;  ///< angle to subtract from that of `inner` [rad]
+  bool wide = false;   ///< whether inner turns may exceed half a turn
+  double quarter = 0;  ///< angle of inner turns in place of `inner`, if not 0 [rad]
+  double line = 0;     ///< length of the line; negative: the circles are too close by as much
+  bool exact = true;   ///< whether the circles meet, so that the word exists
 
-  /// The angles, the first and the last in [-pi, pi].
+  /// Angles of the turns and length of the line; first and last angle are in [-pi, pi].
   [[nodiscard]] reeds_shepp_formulas::Arcs arcs() const noexcept {
     double turn = quarter;
     if (turn == 0 && (inner.re != 1 || inner.im != 0)) {
@@ -66,7 +66,7 @@ namespace circles {
 
 using reeds_shepp_formulas::Formula, reeds_shepp_formulas::root;
 
-/// From the centre of the first circle to that of the last.
+/// Vector `v` from the centre of the first circle to that of the last, and its square.
 struct Between {
   Between(const WordFrame& f, const Joints& j, const Steps& steps) noexcept {
     const Step& first = steps.list[0];
@@ -76,17 +76,17 @@ struct Between {
     v.re = f.x - (b0 + b1) * f.c - (a0 + a1) * f.s;
     v.im = f.y + (b0 - b1) * f.s + (a1 - a0) * f.c;
     squared = v.squared();
-    if (squared < 1e-60) v = {1e-30, 0};  // any direction will do
+    if (squared < 1e-60) v = {1e-30, 0};  // equal centres: any direction will do
   }
   Arrow v;
   double squared;
 };
 
-/// Two circles that touch across a change of gear, `n` times, and one across straight wheels: the
-/// inner turn and the heading at the change of gear, from the triangle of the centres.
+/// Inner turn and heading at the gear change, from a triangle of centres. One side spans `n` gear
+/// changes, one a joint with straight wheels between turns to either side.
 struct Triangle {
   Triangle(const Between& between, const Joints& j, double n, bool wide) noexcept {
-    const double p = n * j.stop, q = j.reach;  // halves of two sides
+    const double p = n * j.stop, q = j.reach;  // halves of two sides of the triangle
     const double d = std::sqrt(between.squared) / 2;
     const double cos = (p * p + q * q - d * d) / (2 * p * q);
     exact = std::abs(cos) <= 1;
@@ -100,7 +100,7 @@ struct Triangle {
   bool exact;
 };
 
-/// A word with a line.
+/// The word of a formula with a line.
 inline CircleWord lined_word(Formula formula, const WordFrame& f, const Joints& j) noexcept {
   constexpr double quarter = std::numbers::pi / 2;
   constexpr Arrow left{0, 1};
@@ -150,7 +150,7 @@ inline CircleWord lined_word(Formula formula, const WordFrame& f, const Joints& 
   return word;
 }
 
-/// Three arcs with a change of gear at both joints.
+/// The word of three arcs with a gear change at both joints (8.3).
 inline CircleWord l_r_l_word(const Between& b, const Arrow& a, const Joints& j) noexcept {
   CircleWord word;
   const double rest = 16 * j.stop * j.stop - b.squared;
@@ -164,7 +164,7 @@ inline CircleWord l_r_l_word(const Between& b, const Arrow& a, const Joints& j) 
   return word;
 }
 
-/// A word of arcs alone.
+/// The word of a formula without a line.
 inline CircleWord arcs_word(Formula formula, const WordFrame& f, const Joints& j) noexcept {
   constexpr Arrow left{0, 1};
   const Between b(f, j, steps_of(formula));
@@ -205,7 +205,7 @@ inline CircleWord arcs_word(Formula formula, const WordFrame& f, const Joints& j
       word.exact = t.exact;
       break;
     }
-    case Formula::lrl: {  // a first guess: as if the circles were to meet
+    case Formula::lrl: {  // a guess for Newton's method, as if the circles met
       const double d = std::min(1.0, std::sqrt(b.squared) / (4 * j.reach));
       const Arrow half{-root(1 - d * d), d};  // a quarter to a half turn
       word.first = a * v * half;

@@ -14,13 +14,13 @@
 namespace vandplan::steering {
 namespace {
 
-/// One of the ways to begin or to end.
+/// A way to begin or to end a path: a clothoid between bent and straight wheels.
 struct End {
-  Pose pose;        ///< where the wheels are straight
-  Segment segment;  ///< from the start on, or from the goal back
+  Pose pose;        ///< pose at which the wheels are straight
+  Segment segment;  ///< the clothoid, driven from the start onward or from the goal backward
 };
 
-/// In either gear.
+/// The ways to straighten the wheels from a pose with `curvature`: forward and in reverse.
 std::array<End, 2> ends_of(const Pose& pose, double curvature, const SharpTurns& turns) {
   const double length = std::abs(curvature) * turns.ramp();
   const double rate = curvature > 0 ? -turns.sharpness() : turns.sharpness();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// In which ways may a path begin and end whose wheels are bent there?
+// In which ways may a path begin and end if its wheels are bent there?
 
 #include <optional>
 #include <type_traits>
@@ -13,7 +13,7 @@
 
 namespace vandplan::steering {
 
-/// Room for four; what is not used costs nothing.
+/// An array of four values, not initialised, so that unused ones cost nothing.
 template <typename T>
 class UpToFour {
  public:
@@ -29,28 +29,28 @@ class UpToFour {
   };
 };
 
-/// The ways to begin, each with every way to end.
+/// All ways to begin a path, each with every way to end it.
 struct Combinations {
   UpToFour<WordTask> tasks;
-  /// What is driven before and after each word; of length zero if the wheels are straight.
+  /// Segments driven before and after a word; of length 0 where the wheels are straight.
   struct Around {
     Segment first, last;
   };
   UpToFour<Around> around;
   std::size_t count = 0;
-  Looked looked;  ///< for a word of them
+  Looked looked;  ///< which words the search considers
 };
 
-/// From pose to pose as if the wheels were straight there, for whoever asks.
+/// The way between two poses as if the wheels were straight there, worked out when it is needed.
 class Direct {
  public:
   explicit Direct(const EndsTask& task) noexcept;
 
   const WordTask& task() noexcept;
-  /// Of Reeds and Shepp: no path is shorter, but for rounding.
+  /// Length of the Reeds-Shepp path; no path is shorter, except for rounding.
   double length() noexcept { return task().sharp.arcs.length; }
 
-  // Where the straight line is as long there is no need to know more.
+  // The straight distance often decides, without the Reeds-Shepp path.
   bool is_shorter_than(double length) noexcept {
     return straight_ < length && this->length() < length;
   }
@@ -64,7 +64,7 @@ class Direct {
   std::optional<WordTask> known_;
 };
 
-/// The ways to begin and to end of a task, where it stops at other places.
+/// All ways to begin and to end the path of `task`, with `stops` in place of those of the task.
 [[nodiscard]] Combinations combinations_of(const WordSolver& solver, const EndsTask& task,
                                            const Stops& stops, Direct& direct);
 

@@ -43,12 +43,12 @@ double length_of(const UnitSegments& segments) {
   return sum;
 }
 
-/// A path that there always is: straight on, a turn to the left, a line, a turn to the left, all of
-/// them to full lock.
+/// A path that always exists: straight on, left turn, line, left turn, with both turns to full
+/// lock.
 UnitSegments detour(const SharpTurns& turns, const MeanFrame& f) {
   const auto [cx, cy] = turns.centre();
   const auto [sin, cos] = base::sin_cos(f.half_turn);
-  // Between the centres of the turns; a line before the first moves its centre.
+  // Vector between the centres of the turns; a line before the first turn moves its centre.
   const double gap = std::max(2 * cx, 0.0);
   double dx = f.x - 2 * cos * cx;
   double dy = f.y;
@@ -79,14 +79,14 @@ UnitSegments detour(const SharpTurns& turns, const MeanFrame& f) {
 
 bool is_nothing(const MeanFrame& f) { return f.x == 0 && f.y == 0 && f.half_turn == 0; }
 
-/// Takes off a segment what is saved; rounding may leave nothing of it.
+/// Adds `saved`, of the other sign, to a segment's length. A rest as small as rounding becomes 0.
 void shorten(Segment& segment, double saved) {
   const double rest = segment.length + saved;
   const bool is_gone = rest * segment.length <= 0 || std::abs(rest) < 1e-14;
   segment.length = is_gone ? 0 : rest;
 }
 
-/// A word with what is driven before and after it, unless the word drives that back.
+/// The path of a word with its windings. A winding that the word drives back is left out.
 UnitPath driven(const WordSolver& solver, const Combinations& all, std::size_t which,
                 const FoundWord& found) {
   const Windings& windings = all.tasks[which].windings;
@@ -109,7 +109,7 @@ UnitPath driven(const WordSolver& solver, const Combinations& all, std::size_t w
   return path;
 }
 
-/// The two windings alone, or with the detour between them.
+/// The path of the two windings, with the detour between them unless they meet.
 UnitPath without_word(const WordSolver& solver, const Combinations& all, std::size_t which) {
   const WordTask& task = all.tasks[which];
   const auto& [first, last] = all.around[which];
@@ -123,14 +123,14 @@ UnitPath without_word(const WordSolver& solver, const Combinations& all, std::si
   return path;
 }
 
-/// The least path, as a word of a combination, or without one.
+/// The shortest path found: combination number `which`, with a word or without one.
 struct Answer {
   double length = infinite;
   std::size_t which = 0;
   std::optional<FoundWord> word;
 };
 
-/// The least that the quick search finds, if that is no longer than the cutoff.
+/// The shortest path by the quick search, which looks for words up to the cutoff.
 Answer quick_answer(const WordSolver& solver, const Combinations& all, double cutoff) {
   Answer answer;
   for (std::size_t i = 0; i < all.count; ++i) {
@@ -145,10 +145,10 @@ Answer quick_answer(const WordSolver& solver, const Combinations& all, double cu
 
 Answer answer_of(const WordSolver& solver, const Combinations& all, Direct& direct, double cutoff) {
   Answer answer = quick_answer(solver, all, cutoff);
-  // No path has to be a whole turn longer than the shortest.
+  // No shortest path is a whole turn longer than that of Reeds and Shepp [turning radii].
   const double longer = 2 + 6 * solver.turns().ramp();
   if (direct.is_at_least(std::min(answer.length, cutoff) - longer)) return answer;
-  for (std::size_t i = 0; i < all.count; ++i) {  // every word that there is
+  for (std::size_t i = 0; i < all.count; ++i) {  // all words, not only likely ones
     const Windings& windings = all.tasks[i].windings;
     for (const FoundWord& found : all_words(solver, all.tasks[i])) {
       const double length = windings.length() + found.word.length - saved(solver, found, windings);
@@ -161,12 +161,12 @@ Answer answer_of(const WordSolver& solver, const Combinations& all, Direct& dire
   return answer;
 }
 
-/// The same ends where the curvature jumps at fewer places.
+/// Alternatives to `stops` with fewer places where the curvature jumps.
 std::array<Stops, 4> with_fewer(const Stops& stops) {
   return {Stops{}, {false, true, false}, {stops.start, true, false}, {false, true, stops.goal}};
 }
 
-/// The least path of all, with the ways to begin and end that it is one of.
+/// The shortest path, and the combinations that its `which` counts.
 struct Solution {
   Combinations combinations;
   Answer answer;
@@ -174,9 +174,9 @@ struct Solution {
 
 Solution solution_of(const WordSolver& solver, const EndsTask& task, Direct& direct) {
   Solution solution{combinations_of(solver, task, task.stops, direct), {}};
-  const double cutoff = task.cutoff * (1 + 1e-9) + 1e-12;  // rounding is no reason to pass over
+  const double cutoff = task.cutoff * (1 + 1e-9) + 1e-12;  // rounding excludes no path
   solution.answer = answer_of(solver, solution.combinations, direct, cutoff);
-  // Jumps nearly always help. Where the path is much longer than any has to be, look without.
+  // Jumps nearly always help, so fewer of them are tried only if the path is suspiciously long.
   constexpr double suspicious = 1.2;
   if (!task.stops.inside ||
       std::min(solution.answer.length, cutoff) <= suspicious * direct.length()) {
@@ -265,7 +265,7 @@ void for_cheap_paths(const WordSolver& solver, std::span<const PricedEnds> tasks
         dearest = std::min(dearest, take(all.size() - 1, without_word(solver, made, i)));
         continue;
       }
-      // Where bent wheels are straightened first, a word begins in any gear.
+      // After a winding a word may begin, and before one end, in any gear.
       const bool begins = ends.task.start_curvature == 0;
       const bool goes_over = ends.task.goal_curvature == 0;
       words.push_back({made.tasks[i], begins ? ends.first_gear : 0, goes_over ? ends.last_gear : 0,

@@ -3,8 +3,8 @@
 #pragma once
 // How does a path begin and end with given curvatures?
 //
-// It drives until the wheels are straight, follows a word, and turns them again: in either gear at
-// either end. Where the word would begin by driving back what was just driven, neither is driven.
+// The path straightens the wheels, follows a word, and turns the wheels again; in either gear at
+// either end. If the word begins by driving the first clothoid back, both are left out.
 
 #include <functional>
 #include <optional>
@@ -17,47 +17,46 @@
 
 namespace vandplan::steering {
 
-/// Two poses at unit radius, the first at the origin, and the curvatures there: 0 where the vehicle
-/// stands.
+/// A query at unit radius. The first pose is at the origin, under its heading in the world.
 struct EndsTask {
   Pose from, to;
   Stops stops;
-  double start_curvature = 0.0, goal_curvature = 0.0;
-  double cutoff = 0.0;
+  double start_curvature = 0.0, goal_curvature = 0.0;  ///< 0 where the vehicle stands
+  double cutoff = 0.0;  ///< longer paths are of no use [turning radii]
 };
 
-/// What a query between two finite poses means.
+/// The task at unit radius of a query between two finite poses [m].
 [[nodiscard]] EndsTask ends_task(const ContinuousSteering& steering, const Pose& from,
                                  const Pose& to, const ContinuousQuery& query);
 
-/// What is driven, and how far, in turning radii.
+/// The segments and the length of a path, in turning radii.
 struct UnitPath {
   UnitSegments segments;
   double length = 0.0;
 };
 
-/// The shortest path of the families, if it is no longer than the cutoff.
+/// The shortest path of the families; nothing if it is longer than the cutoff.
 [[nodiscard]] std::optional<UnitPath> least_path(const WordSolver& solver, const EndsTask& task);
 
-/// Its length; infinity if it is longer than the cutoff.
+/// Length of `least_path` [turning radii]; infinity if it is longer than the cutoff.
 [[nodiscard]] double least_length(const WordSolver& solver, const EndsTask& task);
 
 /// All paths of the families up to the cutoff.
 [[nodiscard]] std::vector<UnitPath> all_paths(const WordSolver& solver, const EndsTask& task);
 
-/// A task, and in which gear its word begins and ends where the wheels are straight; 0: in either.
+/// A task, and the gears in which its word begins and ends where the wheels are straight; 0: any.
 struct PricedEnds {
   EndsTask task;
   int first_gear = 0, last_gear = 0;
 };
 
-/// Takes the path of a task and says what the next ones have to undercut.
+/// Receives a path and the index of its task; returns the cost that later paths have to undercut.
 using TakePath = std::function<double(std::size_t task, const UnitPath&)>;
 
-/// What driving costs before, on and after a path.
+/// Prices of driving a path, and the gears around it, which may cost a gear change.
 struct PathPrices {
   GearPrices word;
-  int before = 0, after = 0;  ///< gears; 0: any
+  int before = 0, after = 0;  ///< gears driven before and after the path; 0: any
 };
 
 /// Calls `take` with the paths of cheap words (see `for_cheap_words`) of up to four tasks.
@@ -65,7 +64,7 @@ void for_cheap_paths(const WordSolver& solver, std::span<const PricedEnds> tasks
                      const PathPrices& prices, int gear_changes, double cutoff,
                      const TakePath& take);
 
-/// The path for a turning radius [m].
+/// The path at a turning `radius` [m].
 [[nodiscard]] Piece scaled(const UnitPath& path, double radius);
 
 }  // namespace vandplan::steering

@@ -12,7 +12,7 @@ namespace {
 
 using namespace families;
 
-/// The arcs of Reeds and Shepp at `radius`, with the line that turns with clothoids leave.
+/// Arcs of the Reeds-Shepp word at `radius`; the line is shorter by what two clothoids take of it.
 Arcs sharp_arcs(const Kind& kind, const WordFrame& f, double radius, const SharpTurns& turns) {
   Arcs arcs = in_one_turn(kind.arcs(Circles({f.x / radius, f.y / radius, f.a})));
   arcs.line = arcs.line * radius - 2 * turns.centre().x;
@@ -21,9 +21,9 @@ Arcs sharp_arcs(const Kind& kind, const WordFrame& f, double radius, const Sharp
 
 constexpr Patience patient{25};
 
-/// The word with circles if every turn reaches full lock; else by Newton's method from these
-/// circles, from circles without clothoids, or from circles of the radius that turns have which are
-/// so small.
+/// The word of a kind: in closed form if every turn reaches full lock, otherwise by Newton's
+/// method. Guesses are the circles at full lock and those without clothoids. If both fail, the
+/// guess is circles with the radius of such small turns.
 std::optional<SolvedWord> solved(const WordSolver& solver, const Kind& kind, const WordFrame& frame,
                                  const Stops& stops) {
   const SharpTurns& turns = solver.turns();
@@ -72,7 +72,8 @@ double saved(const WordSolver& solver, const FoundWord& found, const Windings& w
       const std::size_t step = from_end ? steps.count - 1 - i : i;
       const double length = solver.step_length(found.word, step);
       if (length == 0) continue;
-      // Something is left, or else the curvature jumps before the step and the vehicle rolls there.
+      // The step must be longer than the winding: without a rest the curvature would jump there
+      // while the vehicle rolls.
       return may_drive_back(steps.list[step], found.symmetry, winding) &&
                      length > winding.length * (1 + rounding) + rounding / 10 &&
                      solver.ramp_of(found.word, step) * (1 + rounding) >= winding.length

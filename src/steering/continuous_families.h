@@ -13,18 +13,18 @@
 
 namespace vandplan::steering {
 
-/// A word as a symmetry of the mean frame makes it.
+/// A word, and the symmetry of the mean frame that maps it onto the task.
 struct FoundWord {
   SolvedWord word;
   Symmetry symmetry{};
 };
 
-/// A clothoid on which the wheels were straightened before a word, or are turned after it. A word
-/// that begins (ends) by driving the same way back saves both.
+/// A clothoid that straightens the wheels before a word, or turns them after it. A word that begins
+/// (ends) by driving the clothoid back saves both.
 struct Winding {
-  double gear = 1.0;    ///< in which the word drives it back
-  double side = 0.0;    ///< to which its curvature is
-  double length = 0.0;  ///< 0: there is none
+  double gear = 1.0;    ///< gear in which a word drives the clothoid back: 1 or -1
+  double side = 0.0;    ///< side of its curvature: 1 left, -1 right
+  double length = 0.0;  ///< length [turning radii]; 0: there is no winding
 };
 
 struct Windings {
@@ -33,64 +33,66 @@ struct Windings {
   [[nodiscard]] double length() const { return start.length + goal.length; }
 };
 
-/// Two poses and what is driven before and after.
+/// Two poses to join by a word, and the windings before and after it.
 struct WordTask {
   WordTask() = default;
   WordTask(const MeanFrame& between, const Windings& around, const Stops& at) noexcept;
-  /// With the sine and cosine of half the turn to the left.
+  /// `half`: sine and cosine of the absolute half turn of `between`.
   WordTask(const MeanFrame& between, const Windings& around, const Stops& at,
            const base::SinCos& half) noexcept;
 
   MeanFrame frame;
   Windings windings;
   Stops stops;
-  WordFrame folded{};                      ///< the frame with positive signs
-  reeds_shepp_formulas::Solution sharp{};  ///< the shortest word if the wheels took no time
+  WordFrame folded{};                      ///< `frame` with positive signs
+  reeds_shepp_formulas::Solution sharp{};  ///< the Reeds-Shepp word in `folded`
 };
 
-/// How much shorter a word in the frame of its task is for what it drives back.
+/// Length that a word in the frame of its task saves by driving windings back [turning radii].
 [[nodiscard]] double saved(const WordSolver& solver, const FoundWord& found,
                            const Windings& windings) noexcept;
 
 /// Every word of the families, at most one of each formula and symmetry.
 [[nodiscard]] std::vector<FoundWord> all_words(const WordSolver& solver, const WordTask& task);
 
-/// The least word of several tasks.
+/// The shortest word of several tasks.
 struct LeastWord {
-  std::size_t task = 0;  ///< which of them it is for
+  std::size_t task = 0;  ///< index of its task
   FoundWord found;
-  double length = 0.0;  ///< of both windings and the word, less what it saves
+  double length = 0.0;  ///< length of both windings and the word, less what the word saves
 };
 
-/// Which words are looked at for the least one: those that are likely to be it, or many more where
-/// poses are so near to each other that the word of Reeds and Shepp tells little.
+/// Words that the search for the shortest one considers: likely ones, or many more. Many are needed
+/// where poses are so near to each other that the Reeds-Shepp word tells little.
 enum class Looked { likely, many };
 
-/// The least of all words for at most four tasks of the same stops, if one is below `cutoff`.
+/// The shortest word below `cutoff`, if there is one, for at most four tasks with the same stops.
 [[nodiscard]] std::optional<LeastWord> least_word(const WordSolver& solver,
                                                   std::span<const WordTask> tasks, double cutoff,
                                                   Looked looked);
 
-/// What driving a word costs, in turning radii.
+/// Prices of driving a word.
 struct GearPrices {
-  double forward = 1.0;      ///< of one driven forward; > 0
-  double reverse = 1.0;      ///< in reverse; > 0
-  double gear_change = 0.0;  ///< >= 0
+  double forward = 1.0;      ///< price of a radius driven forward; > 0
+  double reverse = 1.0;      ///< price of a radius driven in reverse; > 0
+  double gear_change = 0.0;  ///< price of a gear change [turning radii]; >= 0
 };
 
-/// A task, the gear of a word at either end of it, and the gears driven before and after; 0: any.
+/// A task for words under prices.
 struct PricedTask {
   WordTask task;
-  int first_gear = 0, last_gear = 0;
-  int before = 0, after = 0;
+  int first_gear = 0, last_gear = 0;  ///< gears in which the word begins and ends; 0: any
+  int before = 0, after = 0;          ///< gears driven before and after the word; 0: any
 };
 
-/// Takes the word of a task and says what the next ones have to undercut.
+/// Receives a word and the index of its task; returns the cost that later words have to undercut.
 using TakeWord = std::function<double(std::size_t task, const FoundWord&)>;
 
-/// Calls `take` with the words of formulas with so many gear changes (0 to 2) that may cost less
-/// than `cutoff` and then what `take` says, those first that cost least by the arcs of Reeds and
-/// Shepp: with turns that reach full lock in closed form, others by Newton's method.
+/// Calls `take` with words of the formulas that have `gear_changes` gear changes (0 to 2). Words
+/// come in the order of a bound of their cost, and have to undercut `cutoff` and all that `take`
+/// returned. If all turns reach full lock, the word has a closed form and the bound is exact.
+/// Otherwise Newton's method finds the word, and the bound is the cost of the Reeds-Shepp word of
+/// the same letters.
 void for_cheap_words(const WordSolver& solver, std::span<const PricedTask> tasks,
                      const GearPrices& prices, int gear_changes, double cutoff,
                      const TakeWord& take);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How does a word look as a symmetry makes it, and how much may it save beside windings?
+// What is the image of a word under a symmetry, and how much may it save by driving windings back?
 
 #include <cstddef>
 
@@ -13,8 +13,8 @@ namespace vandplan::steering::images {
 
 using namespace families;
 
-/// How a word of the folded frame has to begin (or end) so that it drives a winding back, and how
-/// much it saves by that.
+/// How a word of the folded frame has to begin (or end) to drive a winding back, and the length
+/// that it saves then.
 struct Back {
   shortlists::Way way;
   double saved;
@@ -26,31 +26,31 @@ inline Back back_of(const Winding& winding, const Symmetry& undo) {
           2 * winding.length};
 }
 
-/// A task, with what the search asks of it again and again.
+/// A task, with values that the search uses again and again.
 struct View {
   const WordTask* task;
-  Symmetry undo;  ///< from the folded frame
+  Symmetry undo;  ///< symmetry from the folded frame to the frame of the task
   Back first, last;
-  double least;            ///< no path of a word is shorter, less what it saves
-  shortlists::Rows worth;  ///< the rows of the list that are worth a look
+  double least;            ///< bound of the length of windings and word, before savings
+  shortlists::Rows worth;  ///< rows of the list that are worth a look
 
-  /// By any word.
+  /// Largest length that any word saves.
   [[nodiscard]] double most_saved() const { return first.saved + last.saved; }
 };
 
-/// A frame of a task, which is a symmetry of its folded frame.
+/// A frame of a task, and the symmetry that makes it from the folded frame.
 struct Seen {
   const WordFrame* frame;
   Symmetry symmetry;
 };
 
-/// A word of a task as a symmetry of a frame of it makes it.
+/// The image of a word under a symmetry of a frame of a task.
 struct Image {
   const View* view;
   Seen seen;
-  Symmetry of_seen;
-  Symmetry symmetry;               ///< of the folded frame
-  double first_saves, last_saves;  ///< no such word saves more by its first and by its last step
+  Symmetry of_seen;                ///< symmetry of `seen.frame`
+  Symmetry symmetry;               ///< symmetry of the folded frame: both of `seen` and `of_seen`
+  double first_saves, last_saves;  ///< largest lengths saved by the first and by the last step
 
   [[nodiscard]] double most_saved() const { return first_saves + last_saves; }
 
@@ -59,13 +59,13 @@ struct Image {
   [[nodiscard]] Stops stops() const { return seen_by(made(), view->task->stops); }
 };
 
-/// An image of a word of a kind.
+/// The image of the word of a kind under the symmetry `of_seen` of a frame.
 inline Image image_of(const View& view, const Kind& kind, const Seen& seen,
                       const Symmetry& of_seen) {
   const Symmetry made = both(seen.symmetry, of_seen);
   if (view.most_saved() == 0) return {&view, seen, of_seen, made, 0, 0};
   const auto [first, last] = shortlists::ways_of(kind, made);
-  // No branches: nobody foresees which images save something.
+  // Tables, because branches would be mispredicted: any image may save something.
   const double may_save[] = {0, view.first.saved, 0, view.last.saved};
   const double saves[] = {may_save[first == view.first.way ? 1 : 0],
                           may_save[last == view.last.way ? 3 : 2]};

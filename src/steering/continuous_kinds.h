@@ -20,11 +20,11 @@ using namespace reeds_shepp_formulas;
 
 inline constexpr double full_turn = 2 * std::numbers::pi;
 
-/// What of a formula is needed to make its words.
+/// A formula, with what is needed to make its words.
 struct Kind {
   Formula formula;
   Arcs (*arcs)(const Circles&);
-  Symmetry own;  ///< maps the word onto itself; none for a word that has eight images
+  Symmetry own;  ///< symmetry that maps the word onto itself; `none` for a word with eight images
 };
 
 inline constexpr Symmetry none{false, false, false};
@@ -46,8 +46,8 @@ inline constexpr std::array<Kind, 11> kinds = {{
     {Formula::r_lr_wide, r_lr_wide, none},
 }};
 
-/// In [-slack, 2 pi - slack): a turn that should be a little less than nothing is a bad guess of a
-/// small one, not of a whole turn.
+/// The arc plus whole turns, in [-slack, 2 pi - slack). A slightly negative arc is a bad guess of a
+/// small turn, not of a whole turn.
 inline double in_one_turn(double arc) {
   constexpr double slack = 0.5;
   if (arc >= -slack && arc < full_turn - slack) return arc;
@@ -61,7 +61,7 @@ inline Arcs in_one_turn(Arcs arcs) {
 }
 
 inline WordFrame image_of(WordFrame f, const Symmetry& s) {
-  static constexpr double sign[] = {1, -1};  // no branches: symmetries come in no order
+  static constexpr double sign[] = {1, -1};  // a table: branches would be mispredicted
   f.x *= sign[s.x];
   f.y *= sign[s.y];
   f.a *= sign[s.half_turn];
@@ -73,7 +73,8 @@ inline MeanFrame folded(const MeanFrame& f) {
   return {std::abs(f.x), std::abs(f.y), std::abs(f.half_turn)};
 }
 
-/// What undoes `folded`. For the frame from the other end it differs in all three, zeros included.
+/// The symmetry that undoes `folded`. For the frame from the other end all three of its signs
+/// differ, zeros included.
 inline Symmetry unfolding(const MeanFrame& f) {
   const bool backwards = f.x != 0 ? f.x < 0 : f.y != 0 ? f.y < 0 : f.half_turn < 0;
   const auto is_negative = [&](double v) { return v != 0 ? v < 0 : backwards; };
@@ -87,14 +88,15 @@ inline Symmetry both(const Symmetry& a, const Symmetry& b) {
 /// Whether the curvature may jump inside, but not at both ends: on a leg of a longer way.
 inline bool is_leg(const Stops& stops) { return stops.inside && !(stops.start && stops.goal); }
 
-/// The stops of a task as the word sees them that a symmetry makes.
+/// The stops of a task, in the order of a word that the symmetry `made` maps onto the task.
 inline Stops seen_by(const Symmetry& made, const Stops& stops) {
-  const bool ends[] = {stops.start, stops.goal};  // no branches, as in `image_of`
+  const bool ends[] = {stops.start, stops.goal};  // a table: branches would be mispredicted
   const std::size_t first = made.swaps_ends() ? 1 : 0;
   return {ends[first], stops.inside, ends[1 - first]};
 }
 
-/// Whether a word, if its turn is long enough, begins (or ends) by driving a winding back.
+/// Whether a word with the first (or last) step `step`, if that is long enough, drives a winding
+/// back.
 inline bool may_drive_back(const Step& step, const Symmetry& symmetry, const Winding& winding) {
   static constexpr double sign[] = {1, -1};
   const bool same_side = sign[symmetry.swaps_sides()] * step.turn == winding.side;
@@ -102,14 +104,14 @@ inline bool may_drive_back(const Step& step, const Symmetry& symmetry, const Win
   return (winding.length > 0) & same_side & same_gear;
 }
 
-/// Whether the goal is straight ahead but for rounding, by so much that turns would be no shorter.
+/// Whether the goal is straight ahead except for rounding, and too far for turns to be shorter.
 inline bool is_line(const MeanFrame& f) {
   constexpr double noise = 1e-13;
   const bool is_exact = f.y == 0 && f.half_turn == 0;
   return is_exact || (f.x > 1e-3 && f.y <= noise * (1 + f.x) && f.half_turn <= noise);
 }
 
-/// Length of a word with these arcs, those below nothing left out.
+/// Length of a word with these arcs; negative ones count as 0.
 inline double driven_length(const Steps& steps, const Arcs& arcs) {
   const double parts[] = {arcs.first, arcs.inner, arcs.line, arcs.last};
   double sum = 0;
@@ -125,7 +127,8 @@ inline int gear_changes_of(const Steps& steps) {
   return changes;
 }
 
-/// Calls `visit` with the formulas that may be the least in all symmetries but their own.
+/// Calls `visit(kind, symmetry)` for the nine formulas that may be shortest, under all symmetries
+/// except the identity and the formula's own.
 template <typename Visit>
 void for_each_symmetry(Visit visit) {
   for (std::size_t i = 0; i < 9; ++i) {
@@ -141,7 +144,7 @@ void for_each_symmetry(Visit visit) {
 
 inline constexpr int any_gear_changes = -1;
 
-/// Calls `visit` with the kinds that have so many gear changes, each in all its symmetries.
+/// Calls `visit(kind, frame, symmetry)` for all images of kinds with `gear_changes` gear changes.
 template <typename Visit>
 void for_each_image(const WordTask& task, int gear_changes, Visit visit) {
   const Symmetry undo = unfolding(task.frame);

@@ -52,7 +52,7 @@ class Search {
     if (!look_at_circles()) {
       for (std::size_t i = 0; i < views_; ++i) {
         if (view_[i].least - view_[i].most_saved() < best_) look_at(view_[i]);
-        if (is_quick_ && stops_.inside) solve_open();  // elsewhere the bounds of all tell more
+        if (is_quick_ && stops_.inside) solve_open();  // otherwise after the last view
       }
     }
     solve_open();
@@ -60,7 +60,7 @@ class Search {
   }
 
  private:
-  /// Those that promise most are the first.
+  /// Fills `view_` with views of the tasks, the most promising first.
   void sort_views() {
     if (tasks_.size() == 1) {
       view_[views_++] = view_of(tasks_[0]);
@@ -82,10 +82,10 @@ class Search {
     }
   }
 
-  /// Where the curvature never jumps: looks at all circles at once, unless a task is too small or
-  /// too large for that.
+  /// Looks at the circles of all views at once. Returns false if it did not: it works for likely
+  /// words that never jump, between poses neither too near nor too far.
   bool look_at_circles() {
-    // Straight ends have so few words that one after the other is as fast.
+    // One view, of straight ends, has so few words that one after the other is as fast.
     if (views_ == 1 || stops_.inside || !is_quick_) return false;
     looks::Looks looks;
     std::array<std::size_t, 8> ends;
@@ -117,7 +117,7 @@ class Search {
     return true;
   }
 
-  /// A word whose circles are known.
+  /// Takes up a word whose circles are worked out.
   void take(const looks::Looks& looks, const looks::Look& look, const View& view,
             const Seen& seen) {
     const double length = looks.length(look);
@@ -142,7 +142,7 @@ class Search {
     return view;
   }
 
-  /// The word of Reeds and Shepp.
+  /// Image of the Reeds-Shepp word of a view.
   static Image image_of_sharp(const View& view) {
     const auto kind = static_cast<std::size_t>(view.task->sharp.formula);
     return image_of(view, kinds[kind], folded(view), none);
@@ -156,7 +156,7 @@ class Search {
     if (!is_quick_ && view.most_saved() > 0) look_at_all_that_save(view);
   }
 
-  /// A line alone.
+  /// Considers a line alone, if the goal is straight ahead.
   void look_at_line(const View& view) {
     const auto& [x, y, a, s, c] = view.task->folded;
     if (!is_line({x, y, a})) return;
@@ -164,7 +164,7 @@ class Search {
     consider(SolvedWord{Formula::lsl, line.stops(), {0, x, 0}, 0, x}, line);
   }
 
-  /// The rows to look at the other way round, which is as good where the headings are opposite.
+  /// Rows to look at in the frame of `other_way`, which is as good if the headings are opposite.
   [[nodiscard]] Rows rows_of_other_way(const View& view) const {
     const double missing = std::numbers::pi / 2 - view.task->folded.a;
     if (missing >= 0.05 + 0.6 * ramp_) return 0;
@@ -172,7 +172,7 @@ class Search {
     return view.worth & (any ? list_.likely : list_.half_turns);
   }
 
-  /// The frame the other way round.
+  /// Frame of a view with the heading turned the other way round.
   Seen other_way(const View& view) {
     const WordFrame& f = view.task->folded;
     WordFrame& other = other_[static_cast<std::size_t>(&view - view_.data())];
@@ -180,7 +180,7 @@ class Search {
     return {&other, {true, true, true}};
   }
 
-  /// The rows that are worth a look where the word of Reeds and Shepp is what it is.
+  /// Rows that are worth a look, given the Reeds-Shepp word of a view.
   [[nodiscard]] Rows worth_a_look(const View& view) const {
     if (!is_quick_) return list_.likely;
     const reeds_shepp_formulas::Solution& sharp = view.task->sharp;
@@ -191,8 +191,8 @@ class Search {
                : list_.here[formula][first][last];
   }
 
-  /// The rows that may be shorter than the best: what saves nothing, or at one end only, has to be
-  /// that all the same.
+  /// Rows whose words may be shorter than the best. A row counts with what it can save: at both
+  /// ends, at one end, or not at all.
   [[nodiscard]] Rows short_enough(const View& view) const {
     if (!is_quick_ || view.least < best_) return ~Rows{0};
     const Rows first = list_.first_way[view.first.way];
@@ -203,7 +203,7 @@ class Search {
     return rows;
   }
 
-  /// The rows to look at.
+  /// Rows of a view to look at.
   [[nodiscard]] Rows rows_of(const View& view) const {
     const WordFrame& f = view.task->folded;
     const Rows rows = view.worth & short_enough(view);
@@ -226,7 +226,7 @@ class Search {
             {ramp_ * row.first.where(stops.start), ramp_ * row.last.where(stops.goal)});
   }
 
-  /// A line between small turns, where it is too short for the circles of turns to full lock.
+  /// Looks at a line between small turns, if it is too short for circles at full lock.
   void look_at_short(const View& view) {
     const auto& [x, y, a, s, c] = view.task->folded;
     if ((view.worth & 3) == 0 || x * x + y * y >= 9 * ramp_ * ramp_) return;
@@ -234,7 +234,7 @@ class Search {
     const Circles circles({x, y, a}, {s, c});
     const auto look = [&](const Kind& kind) {
       const Arcs sharp = kind.arcs(circles);
-      // Larger turns get to full lock, where the word is found by its circles.
+      // With larger turns, which reach full lock, the word is found by its circles.
       if (is_quick_ && !stops_.inside && std::max(sharp.first, sharp.last) > ramp_) return;
       add_sharp(kind, image_of(view, kind, folded(view), none), std::nullopt);
     };
@@ -242,7 +242,7 @@ class Search {
     if ((rows & 2) != 0 && circles.lr >= 0) look(kinds[1]);
   }
 
-  /// For steering so slow that the lists were not measured for it.
+  /// Looks at all images that may save a winding, for searches to which the lists do not apply.
   void look_at_all_that_save(const View& view) {
     for_each_symmetry([&](const Kind& kind, const Symmetry& symmetry) {
       const Image image = image_of(view, kind, folded(view), symmetry);
@@ -271,13 +271,13 @@ class Search {
     }
   }
 
-  /// Whether the goal is so near that no circle to full lock tells anything.
+  /// Whether the goal is so near that circles at full lock tell nothing about a word.
   [[nodiscard]] bool is_tiny(const WordFrame& f) const {
     return f.x * f.x + f.y * f.y < 0.01 * ramp_ * ramp_;
   }
 
-  /// A word between straight wheels is near its circles, and about as long as these say. One piece
-  /// with who asks: as a function of its own it takes 1.02 times the time of a call.
+  /// Looks at a word between straight wheels by its circles; `near` is its estimated length.
+  /// Always inlined: otherwise a call takes 1.02 times as long.
   [[gnu::always_inline]] void look_near_circles(Formula formula, const Image& image,
                                                 const Arcs& arcs, double near) {
     constexpr double vanishes = 1e-6;
@@ -293,7 +293,7 @@ class Search {
     }
   }
 
-  /// A word about as long as that of Reeds and Shepp.
+  /// Adds an open word, with the Reeds-Shepp word of its letters as guess and bound.
   void add_sharp(const Kind& kind, const Image& image, const std::optional<Arcs>& circles) {
     const auto [x, y, a, s, c] = image.frame();
     Arcs sharp = in_one_turn(kind.arcs(Circles({x, y, a}, {s, c})));
@@ -303,7 +303,7 @@ class Search {
       length = bounds::signed_length(steps, sharp);
       if (circles) length = std::min(length, bounds::signed_length(steps, *circles));
     }
-    // Where an end vanishes, the step beside it may save as much as any.
+    // If an end step vanishes, the step beside it may save as much as any word.
     constexpr double vanishes = 1e-6;
     const bool has_ends = std::min(sharp.first, sharp.last) > vanishes;
     length -= has_ends ? image.most_saved() : image.view->most_saved();
@@ -317,7 +317,7 @@ class Search {
     (is_quick_ ? open->guess : open->second_guess) = guess_near(kind.formula, *circles);
   }
 
-  /// The arcs of circles to begin with. From next to nothing a turn beside another moves badly.
+  /// Guess from arcs by circles. Newton's method moves badly from a tiny turn beside another turn.
   [[nodiscard]] Arcs guess_near(Formula formula, Arcs arcs) const {
     if (shape_of(formula, stops_).has_line) return arcs;
     const double least = 0.1 * ramp_;
@@ -327,13 +327,13 @@ class Search {
     return arcs;
   }
 
-  /// One more open word, which is not much shorter than `length`, nothing if that is too long.
+  /// Adds an open word not much shorter than `length`; null if it is too long or there is no room.
   Open* opened(Formula formula, const Image& image, double length) {
     const double bound = image.view->task->windings.length() + length;
     return bound < best_ ? open_.add(formula, image, bound) : nullptr;
   }
 
-  /// The open words in the order of their bounds, as long as one may be shorter; then none is left.
+  /// Solves open words in the order of their bounds, while one may be the best; drops the others.
   void solve_open() {
     while (const Open* open = open_.next(best_)) {
       if (const auto word = solved(*open)) consider(*word, open->image);
@@ -345,7 +345,7 @@ class Search {
     const View* view = open.image.view;
     const double first_saves = open.image.first_saves, last_saves = open.image.last_saves;
     const WordFrame frame = open.image.frame();
-    // So long is a turn that drives a winding back: its clothoids are as long as that.
+    // A turn that drives a winding back has clothoids as long as the winding, one or both.
     const double part = stops_.inside ? 0.5 : 1;
     const Patience quick{12,
                          is_quick_ ? 4 : 12,
@@ -360,7 +360,7 @@ class Search {
   }
 
   void consider(const SolvedWord& word, const Image& image) {
-    constexpr double tie = 1e-13;  // then the word that was asked first
+    constexpr double tie = 1e-13;  // relative; of equal words the first one stays
     const View& view = *image.view;
     const Windings& windings = view.task->windings;
     const bool begins_and_ends = word.lengths[0] != 0 && word.lengths[2] != 0;
@@ -379,13 +379,13 @@ class Search {
   Stops stops_;
   const List& list_;
   double ramp_;
-  bool is_quick_;                 ///< looks at what the lists say, which were measured for it
-  std::array<Joints, 2> joints_;  ///< for words from the start, and from the goal
+  bool is_quick_;                 ///< whether the measured lists apply
+  std::array<Joints, 2> joints_;  ///< joints of words from the start, and from the goal
   Room room_;
   double best_;
   std::optional<LeastWord> least_;
   std::array<View, 4> view_;
-  std::array<WordFrame, 4> other_;  ///< their frames the other way round
+  std::array<WordFrame, 4> other_;  ///< frames of `other_way`, one for each view
   std::size_t views_ = 0;
   OpenWords open_;
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which circles have the words that a search for the least one looks at, all worked out at once?
+// Which circles do the words of a search have, where the curvature never jumps?
 //
-// Where the curvature never jumps. What is asked of the words: simd/circle_kernels.h.
+// The circles of all words are worked out at once, by the kernel of simd/circle_kernels.h.
 
 #include <algorithm>
 #include <array>
@@ -23,19 +23,19 @@ namespace vandplan::steering::looks {
 
 using namespace families;
 
-/// What is measured for turns of a steering.
+/// Limits of likely words of a steering (measured).
 struct Room {
-  double ramp;  ///< length of a clothoid to full lock
-  double high;  ///< the cosine of the angle at an end of a word is above -`high`
+  double ramp;  ///< length of a clothoid to full lock [turning radii]
+  double high;  ///< the cosine of the first or last angle of a word is at least -`high`
 };
 
-/// By so much the first and the last turn may be below nothing.
+/// How far below 0 the first and the last angle of a word may be, as sines.
 struct Lows {
   double first, last;
 };
 
-/// Whether the angle of an arrow is from -low to a quarter turn and a little or, of a word of three
-/// arcs, to half a turn.
+/// Whether the angle of an arrow is likely for an end of a word: from -`low` to a little more than
+/// a quarter turn; in a word of three arcs to half a turn.
 inline bool is_likely(const Arrow& arrow, double low, double high, bool is_three_arcs) {
   const double squared = arrow.squared();
   const double least = low * low + 1e-24;
@@ -43,7 +43,7 @@ inline bool is_likely(const Arrow& arrow, double low, double high, bool is_three
   return arrow.re >= 0 || is_three_arcs || arrow.re * arrow.re <= high * high * squared;
 }
 
-/// The angles of a word by its circles, if they are likely; between stops.
+/// Angles of a word by its circles, if they are likely, for steering between stops.
 inline std::optional<Arcs> likely_arcs_at_stops(Formula formula, const CircleWord& circles,
                                                 const Room& room, const Lows& lows) {
   const bool is_three_arcs = formula == Formula::l_r_l;
@@ -55,25 +55,25 @@ inline std::optional<Arcs> likely_arcs_at_stops(Formula formula, const CircleWor
   return in_one_turn(circles.arcs());
 }
 
-/// The same where the curvature never jumps.
+/// Angles of a word by its circles, if they are likely, where the curvature never jumps.
 inline std::optional<Arcs> likely_arcs(Formula formula, const CircleWord& circles, const Room& room,
                                        Lows lows) {
   if (circles.line < -1.05 * room.ramp) return std::nullopt;
-  if (circles.line > 3 * room.ramp) {  // which moves the turns but little
+  if (circles.line > 3 * room.ramp) {  // clothoids beside a long line move the turns but little
     lows.first = std::min(lows.first, 0.01 * room.ramp);
     lows.last = std::min(lows.last, 0.01 * room.ramp);
   }
   return likely_arcs_at_stops(formula, circles, room, lows);
 }
 
-/// A word near its circles, about so long.
+/// A word by its circles: angles and estimated length.
 struct NearWord {
   Arcs arcs;
   double length;
 };
 
-/// The word of a formula where the curvature never jumps, if there may be one: what
-/// `simd::circle_words` says of many.
+/// The word of a formula by its circles, where the curvature never jumps; nothing if there is none.
+/// `simd::circle_words` gives the same for many words.
 inline std::optional<NearWord> near_word(Formula formula, const WordFrame& frame,
                                          const Joints& joints, const Room& room, const Lows& lows) {
   const auto arcs = likely_arcs(formula, circles::word_of(formula, frame, joints), room, lows);
@@ -87,30 +87,30 @@ inline std::optional<NearWord> near_word(Formula formula, const WordFrame& frame
   return NearWord{*arcs, bounds::length_near(formula, *arcs, room.ramp)};
 }
 
-/// How much a word near its circles may save.
+/// Largest length that a word with these angles by its circles may save [turning radii].
 inline double most_saved_near(Formula formula, const images::Image& image, const Arcs& arcs,
                               double ramp) {
   const auto& [first, inner, last] = bounds::small_turns_of(formula);
   constexpr double vanishes = 1e-6;
   const bool has_ends =
       arcs.first > first.gone * ramp + vanishes && arcs.last > last.gone * ramp + vanishes;
-  // Where an end vanishes, the step beside it may save as much as any.
+  // If an end step vanishes, the step beside it may save as much as any word.
   const double most = image.view->most_saved();
   if (most == 0 || !has_ends) return most;
   const double wide = bounds::wide(arcs.inner);
   const auto saves = [&](const bounds::Small& turn, double arc, double by_turn) {
     const bool lacks_line = arcs.line < 0;
     const bool may_wind = bounds::may_wind(turn.least - wide, arc, by_turn / 2, ramp);
-    const double may_save[] = {0, by_turn};  // no branches, as in `image_of`
+    const double may_save[] = {0, by_turn};  // a table: branches would be mispredicted
     return may_save[lacks_line || may_wind ? 1 : 0];
   };
   return saves(first, arcs.first, image.first_saves) + saves(last, arcs.last, image.last_saves);
 }
 
-/// A row of the list, as an image of a frame that is looked at.
+/// An image that a search looks at: a row of the list in one frame.
 struct Look {
   std::uint8_t row;
-  std::uint8_t formula, word;  ///< where its word is
+  std::uint8_t formula, word;  ///< indices of the word's formula, and of the word in that formula
 };
 
 namespace detail {
@@ -131,7 +131,7 @@ inline constexpr auto formulas = [] {
   return all;
 }();
 
-/// An image of a row: signs of its frame, and how far below nothing its turns may be, in ramps.
+/// The image of a row: signs of its frame, and how far below 0 its end turns may be [ramps].
 struct Sight {
   double x, y, half_turn, low_first, low_last;
   std::size_t formula;
@@ -149,7 +149,8 @@ inline constexpr auto sights = [] {
   return all;
 }();
 
-/// Four tasks look at each row once, and once more the other way round at some of the first ten.
+/// Whether the kernel has room for all words. Four tasks look at each row once, and once more at
+/// some of the first ten in the frame the other way round.
 constexpr bool has_room() {
   std::array<std::size_t, simd::circle_formulas> counts{};
   for (std::size_t i = 0; i < sights.size(); ++i) {
@@ -161,14 +162,14 @@ static_assert(has_room());
 
 }  // namespace detail
 
-/// The images that a search looks at, in its order, and their words.
+/// Images in the order in which a search looks at them, and their words.
 class Looks {
  public:
   Looks() {
     for (simd::CircleWords& words : words_) words.count = 0;
   }
 
-  /// Looks at rows as images of a frame.
+  /// Adds rows as images of a frame.
   void add(shortlists::Rows rows, const WordFrame& frame, double ramp) {
     for (; rows != 0; rows &= rows - 1) {
       const auto row = static_cast<std::uint8_t>(std::countr_zero(rows));
@@ -189,14 +190,14 @@ class Looks {
   [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] const Look& operator[](std::size_t i) const { return list_[i]; }
 
-  /// Works out all words; false where there are no vectors for it.
+  /// Works out all words. Returns false in a build without vectors of double.
   bool work_out(const Joints& joints, const Room& room) {
     return simd::circle_words(
         words_, detail::formulas,
         {joints.ahead, joints.aside, joints.reach, joints.skew, room.ramp, room.high});
   }
 
-  /// About how long the word of a look is, beside its clothoids; infinite where there is none.
+  /// Estimated length of the word of a look, without windings; infinity if there is no word.
   [[nodiscard]] double length(const Look& look) const {
     return words_[look.formula].length[look.word];
   }

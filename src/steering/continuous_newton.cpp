@@ -20,8 +20,8 @@ Vector cross(const Vector& a, const Vector& b) {
 }
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// Where a word of certain lengths misses the goal, and how its end changes with each length: x, y,
-/// heading.
+/// Offset (x, y, heading) from the end of a word to the goal, and derivatives of the end by the
+/// three lengths.
 struct Miss {
   Vector by{};
   std::array<Vector, 3> slope{};
@@ -31,25 +31,25 @@ struct Miss {
   }
 };
 
-/// The steps of a word that turn, as they are driven, and its line.
+/// The turns of a word as they are driven, and the length of its line.
 struct Driven {
   const Turned &first, &inner, &next_inner, &last;
   double line;
-  const Turned* dip;  ///< instead of a line of less than nothing between turns to the same side
+  const Turned* dip;  ///< turn in place of a line of negative length between turns to the same side
 };
 
-/// A word as far as it is driven.
+/// Place reached while a word is driven; `turned` is the change of heading so far.
 struct Chain {
   double x = 0, y = 0, sin, cos, turned = 0;
 };
 
-/// Where a step ends, and how its own end changes with its length.
+/// End of a step, and the derivative of the end (x, y, heading) by the length of the step.
 struct After {
   double x, y;
   Vector slope;
 };
 
-/// The length of each step of a formula: 0 to 2, 3 for a quarter turn.
+/// Index of the length that a step of a formula has: 0 to 2, or 3 for a quarter turn.
 constexpr std::size_t length_index(const Steps& steps, std::size_t i) {
   const std::size_t part = steps.list[i].part;
   const bool has_line = steps.list[1].part == 2 || steps.list[2].part == 2;
@@ -96,7 +96,7 @@ inline After drive(Chain& c, const Driven& d) {
   }
 }
 
-/// All steps of a formula, from where and to where a frame says.
+/// The miss after all steps of a formula, from the first to the second pose of a frame.
 template <Formula formula, std::size_t... i>
 Miss miss_of_steps(const Driven& d, const WordFrame& frame, double turn,
                    std::index_sequence<i...> /*all*/) {
@@ -106,7 +106,7 @@ Miss miss_of_steps(const Driven& d, const WordFrame& frame, double turn,
   Miss miss{{frame.x - c.x, frame.y - c.y, turn - c.turned}, {}};
   const auto add = [&](const After& after, std::size_t of) {
     if (of == 3) return;
-    const double bend = after.slope[2];  // all that comes after a turn swings with it
+    const double bend = after.slope[2];  // everything after a turn swings with it
     miss.slope[of][0] += after.slope[0] - bend * (c.y - after.y);
     miss.slope[of][1] += after.slope[1] + bend * (c.x - after.x);
     miss.slope[of][2] += bend;
@@ -133,7 +133,7 @@ constexpr std::array<MissOf, 11> miss_of_formula = {
 /// The equations that the lengths of a word solve.
 class Equations {
  public:
-  /// The heading has to change by `turn`.
+  /// `turn`: wanted change of heading, whole turns included [rad].
   Equations(const SharpTurns& turns, const SolvedWord& word, const WordFrame& frame, double turn)
       : turns_(turns),
         shape_(shape_of(word.formula, word.stops)),
@@ -146,7 +146,7 @@ class Equations {
 
   [[nodiscard]] const Shape& shape() const { return shape_; }
 
-  /// A miss is small beside it.
+  /// Scale of the task: a miss is small if it is small beside this number.
   [[nodiscard]] double size() const { return 1 + std::abs(frame_.x) + std::abs(frame_.y); }
 
   [[nodiscard]] Miss miss(const Vector& lengths) const {
@@ -182,8 +182,8 @@ class Equations {
   Turned quarter_, next_quarter_;
 };
 
-/// The change of the lengths by which the miss would vanish if it were linear; nothing if there is
-/// none.
+/// Change of the lengths that removes the linearised miss; nothing if the derivatives are
+/// dependent.
 std::optional<Vector> newton_step(const Miss& miss) {
   const auto& [a, b, c] = miss.slope;
   const Vector bc = cross(b, c);
@@ -194,7 +194,7 @@ std::optional<Vector> newton_step(const Miss& miss) {
                 dot(miss.by, cross(a, b)) * scale};
 }
 
-/// What of the miss is left by a change of the lengths, if it were linear: no more than rounding,
+/// Largest component of the linearised miss that a change of the lengths leaves. It is rounding,
 /// unless the equations are nearly dependent.
 double left_by(const Miss& miss, const Vector& change) {
   double most = 0;
@@ -206,8 +206,8 @@ double left_by(const Miss& miss, const Vector& change) {
   return most;
 }
 
-/// A step of a turn that never reaches full lock: its angle, as the square of its length, is what
-/// changes nearly evenly beside a line.
+/// New length of a turn that never reaches full lock, for a Newton step taken in its angle. Beside
+/// a line the miss is nearly linear in the angle, which is as the square of the length.
 double by_angle(double length, double change) {
   const double square = length * (length + 2 * change);
   if (length < 0) return square > 0 ? -std::sqrt(square) : std::sqrt(-square);
@@ -218,7 +218,7 @@ double by_angle(double length, double change) {
 
 void WordSolver::leave_out_crumbs(SolvedWord& word, const WordFrame& frame,
                                   double turn) const noexcept {
-  constexpr double crumb = 1e-6;  // turns so short turn by next to nothing
+  constexpr double crumb = 1e-6;  // [turning radii]; turns this short hardly change the heading
   for (std::size_t i = 0; i < 3; ++i) {
     if (word.lengths[i] == 0 || std::abs(word.lengths[i]) > crumb) continue;
     SolvedWord rest = word;
@@ -230,7 +230,7 @@ void WordSolver::leave_out_crumbs(SolvedWord& word, const WordFrame& frame,
 bool WordSolver::close_without(std::size_t part, SolvedWord& word, const WordFrame& frame,
                                double turn) const noexcept {
   constexpr int most_steps = 4;
-  constexpr double exact = 1e-12;  // a crumb beside a little curvature is no more than that
+  constexpr double exact = 1e-12;  // relative miss; a crumb at small curvature adds no more
   const Equations equations(turns_, word, frame, turn);
   const std::size_t i = (part + 1) % 3;
   const std::size_t j = (part + 2) % 3;
@@ -251,9 +251,9 @@ bool WordSolver::close_without(std::size_t part, SolvedWord& word, const WordFra
 
 bool WordSolver::is_hopeless(const SolvedWord& word, const Shape& shape, double moved,
                              const Patience& patience) const noexcept {
-  // Both measured: with less room, words are lost.
-  constexpr double near = 0.3;  // of a turn or its clothoid; the next steps are far smaller
-  constexpr double room = 2;    // steps
+  // Both numbers are measured: with less room, words are lost.
+  constexpr double near = 0.3;  // share of a turn or clothoid; the steps after it are far smaller
+  constexpr double room = 2;    // how far lengths may still move, in steps like the last
   const double ramp = turns_.ramp();
   const double inner = shape.has_line ? 0 : std::abs(word.lengths[1]);
   const double turn = std::max({std::abs(word.lengths[0]), inner, std::abs(word.lengths[2])});
@@ -261,7 +261,7 @@ bool WordSolver::is_hopeless(const SolvedWord& word, const Shape& shape, double 
   double length = shape.quarters * word.quarter;
   for (std::size_t i = 0; i < 3; ++i) {
     length += shape.counts[i] * word.lengths[i];
-    const double least = shape.least[i] * ramp - 1e-6;  // by so much noise is taken away later
+    const double least = shape.least[i] * ramp - 1e-6;  // crumbs are left out later
     if (word.lengths[i] + 2 * room * moved < least) return true;
   }
   double bonus = 0;
@@ -315,7 +315,7 @@ bool WordSolver::close(SolvedWord& word, const WordFrame& frame, double turn,
       if (size * part > limit) part = limit / size;
     }
     if (largest <= small_step_) {
-      // No step at all from far away: the lengths cannot lead there.
+      // A tiny step far from the goal: these lengths cannot lead there.
       if (error > 1e-6 * equations.size()) return false;
       if (left_by(miss, *change) <= rounding) {
         for (std::size_t i = 0; i < 3; ++i) word.lengths[i] += (*change)[i];

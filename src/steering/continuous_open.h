@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which word has Newton's method to find next?
+// Which word does Newton's method solve next?
 
 #include <array>
 #include <cstddef>
@@ -20,13 +20,13 @@ struct Open {
   images::Image image;
   Arcs guess, second_guess;
   bool has_second;
-  double bound;  ///< its path is not much shorter
+  double bound;  ///< practical bound of the length of its path, windings included
 };
 
 /// The open words of a search.
 class OpenWords {
  public:
-  /// One more, with a guess to come; nothing if there is no room.
+  /// Adds a word, whose guess the caller fills in; null if there is no room.
   Open* add(Formula formula, const images::Image& image, double bound) {
     if (count_ == list_.size()) return nullptr;
     Open& open = list_[count_++];
@@ -37,9 +37,9 @@ class OpenWords {
     return &open;
   }
 
-  /// The one with the least bound, once only; nothing if none is below `best`.
+  /// The word with the least bound, each word once only; null if no bound is below `best`.
   const Open* next(double best) {
-    constexpr double same = 1e-9;  // bounds so near are equal: the word that was asked first
+    constexpr double same = 1e-9;  // bounds this near are equal: the word added first wins
     std::size_t least = 0;
     for (std::size_t i = 1; i < count_; ++i) {
       if (list_[i].bound < list_[least].bound - same) least = i;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Where may which image of a word of continuous steering be the least?
+// Which image of a word may be the shortest, by the formula of the Reeds-Shepp word?
 //
 // All numbers are measured: docs/algorithms/continuous_steering.md, section 4.
 
@@ -18,7 +18,7 @@ namespace vandplan::steering::shortlists {
 using namespace families;
 using enum Formula;
 
-/// The longest ramp for which all this was measured.
+/// Longest ramp for which the lists were measured [turning radii].
 inline constexpr double longest_ramp = 0.6;
 
 /// A set of formulas, a bit for each.
@@ -34,25 +34,25 @@ constexpr bool contains(Formulas set, Formula formula) {
 }
 inline constexpr Formulas nowhere = 0;
 
-/// By how many ramps a first or last turn may be shorter than nothing, for the quick search to look
+/// How far below 0 the angle of a first or last turn may be [ramps], for the quick search to look
 /// at its word.
 struct Slack {
-  double rolls, stands;  ///< there, at the start or the goal
+  double rolls, stands;  ///< limits for a vehicle that rolls or stands at that end
   [[nodiscard]] double where(bool it_stands) const { return it_stands ? stands : rolls; }
 };
 
-/// An image of a word that may be the least where that of Reeds and Shepp is of some formulas.
+/// An image of a word, and the formulas of the Reeds-Shepp word for which it may be the shortest.
 struct Likely {
-  std::size_t kind;
+  std::size_t kind;  ///< index in `kinds`
   Symmetry symmetry;
   Slack first, last;
-  Formulas here;      ///< where it saves nothing
-  Formulas saving{};  ///< where it drives a winding back
+  Formulas here;      ///< formulas for which it may be shortest without driving a winding back
+  Formulas saving{};  ///< formulas for which it may be shortest if it drives a winding back
 };
 
 inline constexpr Slack half{0.5, 0.5};
 
-/// Where the curvature never jumps; with windings see `beside_windings`.
+/// Images where the curvature never jumps. `beside_windings` has their formulas beside windings.
 inline constexpr std::array<Likely, 10> rolling = {{
     // clang-format off
     {0, none, {0.3, 0.3}, {0.3, 0.3},
@@ -78,7 +78,7 @@ inline constexpr std::array<Likely, 10> rolling = {{
     // clang-format on
 }};
 
-/// Where it jumps at both ends and inside.
+/// Images where the curvature may jump at both ends and inside.
 inline constexpr std::array<Likely, 10> standing = {{
     // clang-format off
     {0, none, {0.02, 0.02}, {0.02, 0.02},
@@ -103,13 +103,13 @@ inline constexpr std::array<Likely, 10> standing = {{
     // clang-format on
 }};
 
-/// An image that may be the least in the same places whether it saves or not.
+/// An image that may be shortest for the same formulas, whether it drives a winding back or not.
 constexpr Likely either(Likely likely) {
   likely.saving = likely.here;
   return likely;
 }
 
-/// Where it jumps inside, but not at both ends.
+/// Images where the curvature may jump inside, but not at both ends.
 inline constexpr std::array<Likely, 16> legs = {{
     // clang-format off
     either({0, none, {0.02, 0.02}, {0.05, 0.02},
@@ -147,7 +147,7 @@ inline constexpr std::array<Likely, 16> legs = {{
     // clang-format on
 }};
 
-/// Where one of these may be the least it drives a winding back.
+/// Images that may be shortest only if they drive a winding back.
 inline constexpr std::array<Likely, 19> saving_images = {{
     // clang-format off
     {0, {true, true, true}, half, half, nowhere, in({lsl, r_lsl})},
@@ -172,11 +172,11 @@ inline constexpr std::array<Likely, 19> saving_images = {{
     // clang-format on
 }};
 
-/// For each formula of Reeds and Shepp in which ways an image may be the least beside windings: a
-/// bit for each pair of how it begins and ends, five times the first and the last (see `beside`).
+/// Ways to begin and end in which an image may be shortest beside windings, for each formula of the
+/// Reeds-Shepp word. Bit 5 * first + last stands for one pair of ways (see `beside`).
 using BesideWindings = std::array<std::uint32_t, 9>;
 
-/// For the images of `rolling` and then `saving_images`.
+/// Ways beside windings for each image of `rolling`, then of `saving_images`.
 inline constexpr std::array<BesideWindings, 29> beside_windings = {{
     // clang-format off
     {{0xbd83ff, 0, 0, 0, 0, 0, 0, 0xbd837f, 0}},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which words of continuous steering may be the least, told by the word of Reeds and Shepp?
+// Which words of continuous steering may be the shortest, given the Reeds-Shepp word?
 
 #include <array>
 #include <cstddef>
@@ -14,13 +14,13 @@
 
 namespace vandplan::steering::shortlists {
 
-/// Gear and side of a step in two bits, or no step.
+/// Gear (bit 1: reverse) and side (bit 0: right) of a step; `no_way`: there is no step.
 using Way = unsigned;
 inline constexpr Way no_way = 4;
 constexpr Way way_of(double gear, double side) {
   return (gear < 0 ? 2U : 0U) + (side < 0 ? 1U : 0U);
 }
-/// What a symmetry changes of each.
+/// Bits of a way that a symmetry changes.
 constexpr Way flips_of(const Symmetry& symmetry) {
   return (symmetry.swaps_gears() ? 2U : 0U) + (symmetry.swaps_sides() ? 1U : 0U);
 }
@@ -47,35 +47,37 @@ inline constexpr auto all_ways = [] {
   return ways;
 }();
 
-/// In which ways a word of a kind begins and ends in a symmetry.
+/// Ways in which a word of a kind begins and ends under a symmetry.
 constexpr Ways ways_of(const Kind& kind, const Symmetry& symmetry) {
   const auto& [x, y, half_turn] = symmetry;
   const std::size_t i = (x ? 4U : 0U) + (y ? 2U : 0U) + (half_turn ? 1U : 0U);
   return all_ways[static_cast<std::size_t>(kind.formula)][i];
 }
 
-/// How a word begins (or ends) beside a winding: in the way that drives it back, changed by as much
-/// as this way is from the first; `no_way`: there is no winding.
+/// Bits in which the way at an end of a word differs from the way that drives the winding back;
+/// `no_way` if there is no winding.
 constexpr Way beside(Way way, Way back) { return back == no_way ? no_way : way ^ back; }
 
 /// A set of the rows of a list, a bit for each.
 using Rows = std::uint64_t;
 
-/// Images with all sets of them that a search asks for.
+/// Images of words, and all sets of rows that a search asks for.
 struct List {
   std::array<Likely, 35> rows{};
-  Rows likely{};                    ///< those that may be the least where nothing is saved
-  Rows arcs{};                      ///< those without a line
-  Rows half_turns{};                ///< likely ones that may turn by half a turn and more
-  std::array<Rows, 5> first_way{};  ///< by the way in which a word begins
-  std::array<Rows, 5> last_way{};   ///< and ends
-  /// Those worth a look, by the formula of Reeds and Shepp and the ways that drive windings back.
+  Rows likely{};                    ///< rows that may be shortest without driving a winding back
+  Rows arcs{};                      ///< rows of words without a line
+  Rows half_turns{};                ///< likely rows that may turn by half a turn and more
+  std::array<Rows, 5> first_way{};  ///< rows by the way in which their words begin
+  std::array<Rows, 5> last_way{};   ///< rows by the way in which their words end
+  /// Rows worth a look, by formula of the Reeds-Shepp word and by the ways that drive the first and
+  /// the last winding back.
   std::array<std::array<std::array<Rows, 5>, 5>, 9> here{};
 
-  /// What `beside_windings` says of a row, or nothing.
+  /// The entry of `beside_windings` for a row; empty if there is none.
   using Beside = std::span<const BesideWindings>;
 
-  /// `back`: the ways that drive the windings back; `windings` is empty where there is none.
+  /// Whether a row is worth a look for a formula. `back`: the ways that drive the windings back.
+  /// `windings`: entry of the row beside windings; empty if `here` and `saving` decide.
   static constexpr bool is_worth_a_look(const Likely& row, const Ways& ways, const Ways& back,
                                         std::size_t formula, Beside windings) {
     const bool saves = ways.first == back.first || ways.last == back.last;
@@ -100,7 +102,7 @@ struct List {
     }
   }
 
-  /// Where row `i` is worth a look by one formula.
+  /// Marks in `here` for which ways row `i` is worth a look, for one formula.
   constexpr void mark(std::size_t i, const Likely& row, const Ways& ways, std::size_t formula,
                       Beside windings) {
     for (Way first = 0; first <= no_way; ++first) {

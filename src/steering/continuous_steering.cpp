@@ -61,7 +61,7 @@ double ContinuousSteering::length(const Pose& from, const Pose& to) const {
 
 namespace {
 
-/// What `query` means at unit radius in the frame whose origin is the first pose.
+/// The query at unit radius, in a frame with the first pose at the origin. Throws InputError.
 EndsTask task_of(const ContinuousSteering& steering, const Pose& from, const Pose& to,
                  const ContinuousQuery& query) {
   const double radius = steering.radius();

@@ -11,21 +11,22 @@
 namespace vandplan::steering {
 namespace {
 
-constexpr double series_reach = 3;  // radians; beyond, terms cancel
+constexpr double series_reach = 3;  // [rad]; beyond it, terms of the series cancel
 constexpr std::size_t series_terms = 14;
-constexpr double small_square = 0.3 * 0.3;  // of radians; up to there few terms reach the last bit
+constexpr double small_square = 0.3 * 0.3;  // [rad^2]; up to it, seven terms reach the last bit
 
 using Coefficients = std::array<double, series_terms>;
 
-/// 1 / ((2n)! (4n + 1)) and 1 / ((2n + 1)! (4n + 3)) with alternating signs: the integral of
-/// exp(i a t^2) for t from 0 to 1 is the sum of a^2n times the first plus i a^(2n + 1) the second.
+/// Power series in a of the integral of exp(i a t^2) for t from 0 to 1, with alternating signs.
+/// re: 1 / ((2n)! (4n + 1)), the factors of a^2n.
+/// im: 1 / ((2n + 1)! (4n + 3)), the factors of a^(2n + 1).
 struct ClothoidSeries {
   Coefficients re{}, im{};
 };
 
 constexpr ClothoidSeries clothoid_series() {
   ClothoidSeries series;
-  double factorial = 1;  // of 2n
+  double factorial = 1;  // (2n)!
   for (std::size_t n = 0; n < series_terms; ++n) {
     const double sign = n % 2 == 0 ? 1 : -1;
     const double k = static_cast<double>(n);
@@ -36,9 +37,10 @@ constexpr ClothoidSeries clothoid_series() {
   return series;
 }
 
-/// w(2n) / (2n)! with alternating signs, w(m) the integral of (1 - t^2)^m for t from 0 to 1: that
-/// of cos(a (1 - t^2)), the chord of two clothoids of length 1/2 that turn by a each, is the sum of
-/// a^2n times that. `slope`: the derivative by the length while a is as its square.
+/// Power series in a^2 of the chord of two clothoids of length 1/2 that turn by a each. The chord
+/// is the integral of cos(a (1 - t^2)) for t from 0 to 1. `chord`: factors w(2n) / (2n)! of a^2n
+/// with alternating signs, w(m) the integral of (1 - t^2)^m. `slope`: the derivative of the chord
+/// by its length, where a is as the square of the length.
 struct ChordSeries {
   Coefficients chord{}, slope{};
 };
@@ -55,7 +57,8 @@ constexpr ChordSeries chord_series() {
   return series;
 }
 
-/// The first terms in the square of a small angle, in an order in which few have to wait.
+/// The first seven terms of a series in z, the square of a small angle. The order of operations
+/// keeps chains of dependent ones short.
 double small_sum(const Coefficients& c, double z) {
   const double z2 = z * z;
   return (c[0] + z * c[1]) + z2 * ((c[2] + z * c[3]) + z2 * ((c[4] + z * c[5]) + z2 * c[6]));
@@ -76,7 +79,7 @@ constexpr Coefficients cosine = {1,           -1.0 / 2,       1.0 / 24,       -1
 constexpr ClothoidSeries clothoids = clothoid_series();
 constexpr ChordSeries chords = chord_series();
 
-/// Series that are summed side by side.
+/// Some series, whose first seven terms are summed side by side.
 template <std::size_t n>
 struct SmallSeries {
   double terms[7][n];
@@ -87,7 +90,7 @@ struct SmallSeries {
     }
   }
 
-  /// As `small_sum` of each; compilers do it in vectors.
+  /// `small_sum` of each series; compilers turn the loop into vector code.
   [[nodiscard]] std::array<double, n> sums(double z) const {
     std::array<double, n> all;
     const double z2 = z * z;
@@ -156,15 +159,15 @@ SharpTurns::Point SharpTurns::clothoid(double length) const noexcept {
 
 [[gnu::always_inline]] inline Turned SharpTurns::rolling(double length) const noexcept {
   if (length >= 2 * ramp_) {
-    // From the centre of the circle to either end.
+    // (dx, dy): from the end of the turn to the centre of its circle.
     const double angle = length - ramp_;
     const auto [sin, cos] = base::sin_cos(angle);
     const double dx = -cos * centre_x_ - sin * centre_y_;
     const double dy = -sin * centre_x_ + cos * centre_y_;
     return {centre_x_ - dx, centre_y_ - dy, dy, -dx, angle, 1, sin, cos};
   }
-  const double bend = sharpness_ / 4 * length;  // of the angle of half of it, by the length
-  const double angle = sharpness_ / 8 * length * length;  // of either half
+  const double bend = sharpness_ / 4 * length;            // derivative of `angle` by the length
+  const double angle = sharpness_ / 8 * length * length;  // angle of either half of the turn
   base::SinCos half;
   Chord along;
   if (const double square = angle * angle; square <= small_square) {
@@ -232,7 +235,7 @@ double SharpTurns::length_of(double angle, Ends ends) const noexcept {
   static constexpr double ramps_of[] = {2, 1, 1, 0};
   const double ramps = ramps_of[static_cast<std::size_t>(ends)];
   const double either[] = {std::sqrt(2 * ramps * angle * ramp_), angle + ramps * ramp_ / 2};
-  return either[angle >= ramps * ramp_ / 2 ? 1 : 0];  // no branches, as neither is likely
+  return either[angle >= ramps * ramp_ / 2 ? 1 : 0];  // a table: branches would be mispredicted
 }
 
 double SharpTurns::peak(double length, Ends ends) const noexcept {

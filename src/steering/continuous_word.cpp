@@ -83,7 +83,7 @@ void UnitSegments::add(const Segment& segment) noexcept {
   }
   if (count > 0) {
     Segment& last = list[count - 1];
-    // From one side to the other the curvature passes 0, and from full lock nothing goes on.
+    // Equal rates are enough: a clothoid may pass curvature 0, and none goes on beyond full lock.
     if (last.curvature_rate == segment.curvature_rate && follows(last, segment)) {
       last.length += segment.length;
       return;
@@ -147,7 +147,7 @@ std::optional<SolvedWord> WordSolver::solve(Formula formula, const Stops& stops,
   const Shape& shape = shape_of(formula, stops);
   const std::size_t last = shape.steps.count - 1;
   SolvedWord word{formula, stops, {}, 0, 0};
-  // Beside a line the angles are nearly right, however small; else turns need some length to move.
+  // Beside a line even tiny angles are nearly right; elsewhere turns need some length to move.
   const double least_guess = shape.has_line ? 1e-14 : 1e-6;
   const auto guessed = [&](double angle, std::size_t step) {
     return turns_.length_of(std::max(angle, least_guess), shape.ends[step]);
@@ -174,7 +174,7 @@ bool WordSolver::is_drivable(SolvedWord& word) const noexcept {
   const Steps& steps = shape.steps;
   word.length = 0;
   bool vanishes = false;
-  if (shape.has_line) {  // what turns by nothing is a part of the line
+  if (shape.has_line) {  // a turn by next to nothing is made part of the line
     constexpr double nothing = 1e-14;
     const auto give = [&](double& length, std::size_t step, std::size_t beside) {
       if (steps.list[beside].part != 2 || shape.ends[step] == Ends::stands_at_both) return;
@@ -212,7 +212,7 @@ bool WordSolver::jumps_at_stops(const SolvedWord& word) const noexcept {
   const auto bends_at = [&](std::size_t step, Ends end) {
     return shape.ends[step] == end || shape.ends[step] == Ends::stands_at_both;
   };
-  std::size_t last = steps.count;  // that is driven; none yet
+  std::size_t last = steps.count;  // last step that is driven; none yet
   for (std::size_t i = 0; i < steps.count; ++i) {
     if (length_of(word, i) <= 0) continue;
     const bool bends_before = bends_at(i, Ends::stands_before);
@@ -233,8 +233,8 @@ bool WordSolver::jumps_at_stops(const SolvedWord& word) const noexcept {
 UnitSegments WordSolver::segments_of(const SolvedWord& word) const noexcept {
   const Shape& shape = shape_of(word.formula, word.stops);
   const Steps& steps = shape.steps;
-  // What neighbours of negative length take from the end and from the begin of each turn.
-  std::array<double, 7> taken{};  // before step i: [i], after it: [i + 1]
+  // What parts of negative length take from the clothoids at each joint.
+  std::array<double, 7> taken{};  // joint before step i: [i], joint after step i: [i + 1]
   for (std::size_t i = 0; i < steps.count; ++i) {
     const double length = length_of(word, i);
     if (length >= 0) continue;

@@ -3,8 +3,8 @@
 #pragma once
 // Which lengths must the turns and the line of a word have, so that it ends at the goal?
 //
-// The words are those of Reeds and Shepp (word.h), driven with turns that begin and end with the
-// wheels straight or, where the vehicle stands, with any curvature. Lengths are in turning radii.
+// The words are those of Reeds and Shepp (word.h). Their turns begin and end with the wheels
+// straight or, where the vehicle stands, with any curvature. Lengths are in turning radii.
 
 #include <array>
 #include <limits>
@@ -19,18 +19,18 @@
 
 namespace vandplan::steering {
 
-/// How the steps of a word begin and end.
+/// Everything about a word that its formula and its stops decide.
 struct Shape {
   Steps steps;
   std::array<Ends, 5> ends{};
-  std::array<std::size_t, 5>
-      length_of{};                 ///< which of the three lengths each step has, 3: a quarter turn
-  std::array<double, 3> senses{};  ///< how the heading turns: with the first, inner, last turns
-  std::size_t inner = 0;           ///< the first inner turn, if there is one
+  /// Index of the length that each step has: 0 to 2, or 3 for a quarter turn.
+  std::array<std::size_t, 5> length_of{};
+  std::array<double, 3> senses{};  ///< change of heading per radian of first, inner and last turns
+  std::size_t inner = 0;           ///< index of the last inner turn; 0 if there is none
   bool has_line = false;
-  std::array<double, 3> counts{};  ///< how many steps have each of the three lengths
-  double quarters = 0;             ///< and how many the quarter turn
-  std::array<double, 3> least{};   ///< of each of the three lengths, in clothoids to full lock
+  std::array<double, 3> counts{};  ///< number of steps that have each of the three lengths
+  double quarters = 0;             ///< number of steps that are quarter turns
+  std::array<double, 3> least{};   ///< least value of each length [clothoids to full lock]
   bool may_dip = false;            ///< the turns beside the line are to the same side
   bool may_cut_first = false;      ///< the first turn stands before and rolls into another turn
   bool may_cut_last = false;       ///< the last turn stands after and rolls out of another turn
@@ -39,52 +39,52 @@ struct Shape {
 [[nodiscard]] const Shape& shape_of(reeds_shepp_formulas::Formula formula,
                                     const Stops& stops) noexcept;
 
-/// A word of which lengths are known: of the first step, of the inner turns or else the line, of
-/// the last step.
+/// A word with known lengths.
 struct SolvedWord {
   reeds_shepp_formulas::Formula formula{};
   Stops stops;
+  /// Lengths of the first step, of the line (without a line: of each inner turn), of the last step.
   std::array<double, 3> lengths{};
   double quarter = 0.0;  ///< length of each inner turn beside a line
-  double length = 0.0;   ///< of all
+  double length = 0.0;   ///< sum of the lengths of all steps
 };
 
-/// What is driven, in turning radii; clothoids that go on as one are one.
+/// Segments of a path in turning radii. Clothoids that continue each other are one segment.
 struct UnitSegments {
   std::array<Segment, 16> list{};
   std::size_t count = 0;
 
-  /// Appends a segment; of no length it is left out, and so is the last one if that is no longer
-  /// than rounding and the wheels need it for nothing.
+  /// Appends a segment, unless its length is 0. Drops the last segment if that is as short as
+  /// rounding and the curvature goes on without it.
   void add(const Segment& segment) noexcept;
 };
 
-/// By how much longer a word may be if its first (or last) step has a length.
+/// Length by which a word may be longer if its first (or last) step has at least `least_length`.
 struct Bonus {
   double longer = 0.0;
   double least_length = 0.0;
 };
 
-/// How long Newton's method goes on.
+/// When Newton's method gives up.
 struct Patience {
   int most_steps;
-  int most_limited = most_steps;  ///< so many steps may be shorter than they should
-  /// Longer words are of no use, but for their bonus. If this is finite it gives up as well where a
-  /// part seems to become less than nothing.
+  int most_limited = most_steps;  ///< number of first steps that may be cut short
+  /// Largest useful length of a word, without its bonus. If it is finite, Newton's method also
+  /// gives up if a part seems to become negative.
   double longest = std::numeric_limits<double>::infinity();
   Bonus first{}, last{};
-  double if_one_vanishes = 0.0;  ///< the bonus if the first or last step does
+  double if_one_vanishes = 0.0;  ///< bonus if the first or last step vanishes
 };
 
-/// The word of a formula between the poses of a frame that is near the guess, if there is one.
+/// Finds the lengths of words for one kind of turns.
 class WordSolver {
  public:
   explicit WordSolver(const SharpTurns& turns) noexcept;
 
   [[nodiscard]] const SharpTurns& turns() const noexcept { return turns_; }
 
-  /// The word of a formula whose turns have the angles of its circles, if these are enough for the
-  /// clothoids.
+  /// The word of a formula in closed form: its turns have the angles `arcs` of circles at full
+  /// lock. Nothing if a turn is too small for its clothoids, or the line is negative.
   [[nodiscard]] std::optional<SolvedWord> at_full_lock(
       reeds_shepp_formulas::Formula formula, const Stops& stops,
       const reeds_shepp_formulas::Arcs& arcs) const noexcept;
@@ -96,8 +96,8 @@ class WordSolver {
                                                 const reeds_shepp_formulas::Arcs& guess,
                                                 const Patience& patience) const noexcept;
 
-  /// The radius of the circle on which a turn by `angle` with straight wheels at both ends begins
-  /// and ends, in the directions of a circle.
+  /// Radius of the circle that has both ends of a turn by `angle` between straight wheels, and the
+  /// directions there.
   [[nodiscard]] double radius_of(double angle) const noexcept;
 
   [[nodiscard]] UnitSegments segments_of(const SolvedWord& word) const noexcept;
@@ -113,30 +113,32 @@ class WordSolver {
   [[nodiscard]] bool close(SolvedWord& word, const WordFrame& frame, double turn,
                            const Patience& patience) const noexcept;
 
-  /// Leaves out parts so short that they are what Newton's method leaves of nothing, where the
-  /// others lead to the goal as well.
+  /// Leaves out parts so short that they are what Newton's method leaves of a vanishing part, if
+  /// the other parts lead to the goal as well.
   void leave_out_crumbs(SolvedWord& word, const WordFrame& frame, double turn) const noexcept;
 
-  /// Changes the other two lengths until the word ends at the goal, if they can.
+  /// Changes the lengths other than `part` until the word ends at the goal; false if that fails.
   [[nodiscard]] bool close_without(std::size_t part, SolvedWord& word, const WordFrame& frame,
                                    double turn) const noexcept;
 
-  /// Changes the lengths by a part of what Newton's method says; returns by how much at most.
+  /// Changes the lengths by the share `part` of a Newton step; returns the largest change.
   double move(SolvedWord& word, const Shape& shape, const std::array<double, 3>& change,
               double part) const noexcept;
 
-  /// Whether the lengths, which were last moved by so much, seem to become none of use.
+  /// Whether the word seems to become too long, or one of its parts negative. `moved` is the
+  /// largest change of a length in the last step.
   [[nodiscard]] bool is_hopeless(const SolvedWord& word, const Shape& shape, double moved,
                                  const Patience& patience) const noexcept;
 
-  /// Whether no part is driven backwards; works out the length.
+  /// Whether each part is >= 0 or can be taken from its neighbours. Works out `word.length`.
   [[nodiscard]] bool is_drivable(SolvedWord& word) const noexcept;
 
   /// Whether the curvature jumps only where the vehicle stands, although parts have no length.
   [[nodiscard]] bool jumps_at_stops(const SolvedWord& word) const noexcept;
 
   SharpTurns turns_;
-  /// A step so small misses by no more than its square, times how fast the curvature changes.
+  /// Largest last step of Newton's method. The miss after a step is at most its square times how
+  /// fast the curvature changes.
   double small_step_;
 };
 

@@ -26,13 +26,13 @@ struct DubinsWord {
   std::array<double, 3> lengths;
 };
 
-/// The angle in [0, 2 pi). What rounding pushed below zero by at most `noise` becomes zero.
+/// The angle in [0, 2 pi). An angle that rounding pushed below 0 by at most `noise` becomes 0.
 double full_angle(double angle, double noise) {
   const double wrapped = angle - 2 * pi * std::floor(angle / (2 * pi));
   return wrapped < 2 * pi - noise ? wrapped : 0.0;
 }
 
-/// How far a centre of a turning circle may be off by rounding.
+/// Bound of the rounding error of a turning circle's centre [turning radii].
 constexpr double position_noise = 1e-14;
 
 // Angles and lengths as in docs/algorithms/steering.md; the first turn is to the left. Words that

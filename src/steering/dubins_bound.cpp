@@ -16,9 +16,9 @@ using base::atan_2;
 
 constexpr double pi = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double rounding = 1e-12;  // of what is computed here, with room to spare
+constexpr double rounding = 1e-12;  // bound of all rounding errors in this file, with room to spare
 
-/// Angles, counted in whole turns, too.
+/// An interval of angles, whole turns included [rad].
 struct Angles {
   double low = 0.0;
   double high = 0.0;
@@ -27,14 +27,14 @@ struct Angles {
   friend Angles operator-(Angles a, Angles b) { return {a.low - b.high, a.high - b.low}; }
 };
 
-/// The least turn in [0, 2 pi) that is one of the angles.
+/// The least of the angles' turns in [0, 2 pi); 0 if one of the turns may be 0.
 double least_turn(Angles angles) {
   const double low = angles.low - rounding;
   const double wrapped = low - 2 * pi * std::floor(low / (2 * pi));
   return wrapped + (angles.high + rounding - low) >= 2 * pi ? 0.0 : wrapped;
 }
 
-/// Whole turns to be added so that the least of the turns in [0, 2 pi) comes out.
+/// Whole turns to add to an angle of the interval: the sum is no more than its turn in [0, 2 pi).
 double whole_turns(Angles angles) {
   return -2 * pi * std::floor((angles.high + rounding) / (2 * pi));
 }
@@ -44,11 +44,12 @@ double arc_sine(double sine) {
   return atan_2(s, std::sqrt((1 - s) * (1 + s)));
 }
 
-/// From a circle of the first pose to circles that the last one may have, all of radius 1.
+/// Vectors from the centre of a circle at the first pose to possible centres at the last pose. All
+/// circles have radius 1.
 struct Apart {
   Angles direction;
-  double least;  ///< distance of the centres
-  double most;
+  double least;  ///< least distance of the centres
+  double most;   ///< largest distance of the centres
 
   Apart(double x, double y, double shift) {
     const double distance = std::sqrt(x * x + y * y);
@@ -64,12 +65,12 @@ struct Apart {
 struct Goals {
   double x, y;
   Angles heading;
-  double sin, cos;  ///< of the middle heading
+  double sin, cos;  ///< sine and cosine of the middle heading
   double shift;     ///< how far the centre of a circle may be from that of the middle pose
 };
 
-// The words that begin to the left. Each part is bounded by itself, and their sum: that is much
-// better where parts grow and shrink together.
+// Bounds of the words that begin to the left. Each part is bounded by itself, and so is the sum,
+// which is much tighter where one part grows while another one shrinks.
 
 double same_sides(const Goals& g) {  // LSL
   const Apart apart(g.x - g.sin, g.y + g.cos - 1, g.shift);

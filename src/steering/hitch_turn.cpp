@@ -54,7 +54,7 @@ HitchTurn::After HitchTurn::after(const Riccati& r, double u, double way) noexce
     return {u * e, e};
   }
   const double z = r.root * way;
-  double even = 1.0, ratio = way;  // cosh z and sinh(z) / root, or cos and sin
+  double even = 1.0, ratio = way;  // cosh z and sinh(z) / root, or cos z and sin(z) / root
   if (std::abs(z) < 1e-2) {
     const double q = r.square * way * way;
     even = 1 + q / 2 * (1 + q / 12 * (1 + q / 30));

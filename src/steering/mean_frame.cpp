@@ -14,7 +14,7 @@ namespace vandplan::steering {
 
 MeanHeading mean_heading(double from, double to) noexcept {
   constexpr double two_pi = 2 * std::numbers::pi;
-  constexpr double round = 0x1.8p52;  // adding it leaves no bits behind the point
+  constexpr double round = 0x1.8p52;  // adding it rounds to a whole number
   const double difference = to - from;
   const double shifted = difference * (1 / two_pi) + round;
   const double turns = shifted - round;

@@ -12,11 +12,11 @@ namespace vandplan::steering {
 namespace {
 
 constexpr int most_rounds = 8;
-constexpr double damping = 1e-9;  // of the steps, relative; what no length can change stays
+constexpr double damping = 1e-9;  // relative; an error that no length can change stays
 
 using Vector = std::array<double, 3>;  // x, y [m] and heading [rad]
 
-/// From the end of a piece to where it should be, under headings of the world.
+/// Offset from the end of a piece to the pose where it should end, in the world's frame.
 Vector missing(const Pose& end, const Pose& to) {
   return {to.x - end.x, to.y - end.y, wrap_angle(to.heading - end.heading)};
 }
@@ -26,13 +26,13 @@ bool is_within(const Vector& missing, const Closing& closing) {
          std::abs(missing[2]) <= closing.heading;
 }
 
-/// A few segments, held in place.
+/// A few segments in an array of fixed size, without allocation.
 struct Chain {
   std::array<Segment, most_mended> segments{};
   std::size_t count = 0;
 };
 
-/// Where the segments of a chain begin, and where it ends.
+/// Poses at which the segments of a chain begin, and the pose at its end.
 struct Driven {
   std::array<Pose, most_mended + 1> poses;
 
@@ -44,8 +44,8 @@ struct Driven {
   }
 };
 
-/// How the end of the chain moves for each metre that segment `i` gets longer: along the heading
-/// there, and around the circle of the segment's end. A clothoid stays as it is.
+/// Derivative of the end of a chain by the length of segment `i`. The end moves along the heading
+/// at the end of the segment, and swings around that place. 0 for a clothoid, which stays as it is.
 Vector slope(const Chain& chain, const Driven& driven, std::size_t i) {
   const Segment& segment = chain.segments[i];
   if (segment.curvature_rate != 0.0) return {};
@@ -101,7 +101,7 @@ Changes least_change(const Chain& chain, const Driven& driven, const Vector& mis
   return change;
 }
 
-/// Changes the lengths; what would become nothing, or shorter, is left out.
+/// The chain with changed lengths. A segment whose length would become 0 or negative is left out.
 Chain changed(const Chain& chain, const Changes& change) {
   Chain result;
   for (std::size_t s = 0; s < chain.count; ++s) {
@@ -114,7 +114,7 @@ Chain changed(const Chain& chain, const Changes& change) {
   return result;
 }
 
-// Gauss-Newton, to where rounding ends it: the least of what is missing wins.
+// Gauss-Newton until rounding ends it. The chain whose end is nearest to the pose wins.
 std::optional<Chain> mended(const Pose& from, const Pose& to, const Chain& chain,
                             const Closing& closing) {
   Chain trial = chain;

@@ -27,15 +27,15 @@ Circles folded(const MeanFrame& f) {
   return Circles({std::abs(f.x), std::abs(f.y), std::abs(f.half_turn)});
 }
 
-/// What undoes `folded`. For the frame from the other end, in which all signs are opposite, it
-/// differs in all three, zeros included: the first of the three that is not zero counts.
+/// The symmetry that undoes `folded`. For the frame from the other end, in which all signs are
+/// opposite, it differs in all three. A 0 has the sign of the first of the three that is not 0.
 Symmetry unfolding(const MeanFrame& f) {
   const bool backwards = f.x != 0 ? f.x < 0 : f.y != 0 ? f.y < 0 : f.half_turn < 0;
   const auto is_negative = [&](double v) { return v != 0 ? v < 0 : backwards; };
   return {backwards, is_negative(f.y), is_negative(f.half_turn)};
 }
 
-/// Poses as kernels see them: three numbers each.
+/// Poses as kernels see them: three numbers for each pose.
 std::span<const double> numbers(std::span<const Pose> poses) {
   static_assert(sizeof(Pose) == 3 * sizeof(double));
   if (poses.empty()) return {};

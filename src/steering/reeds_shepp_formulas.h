@@ -5,7 +5,7 @@
 //
 // Reeds & Shepp 1990, formulas 8.1 to 8.11, in the mean frame and at unit radius. There one word
 // per formula is enough for x, y, half_turn >= 0, and straight lines and circles divide the plane
-// between the nine: docs/algorithms/steering.md derives both.
+// between the nine: docs/algorithms/steering.md has both, docs/proofs/steering.md the proof.
 
 #include <algorithm>
 #include <cmath>
@@ -18,9 +18,9 @@ namespace vandplan::steering::reeds_shepp_formulas {
 
 using base::atan_2;
 
-/// The nine formulas, by the words that they give: l and r are arcs, s is a line, `_` a change of
-/// gear. The last two are never shortest, but may need the fewest changes of gear: their inner arc
-/// is more than half a turn.
+/// The nine formulas and two more, named by their words: l and r are arcs, s is a line, `_` a
+/// change of gear. The last two have an inner arc of more than half a turn. They are never
+/// shortest, but may need the fewest changes of gear.
 enum class Formula { lsl, lsr, l_r_l, r_lr, lr_lr, r_lr_l, r_lsr, r_lsl, r_lsr_l, lrl, r_lr_wide };
 
 /// Lengths of the parts of a word. Where a word is not shortest, `first` and `last` may need whole
@@ -28,7 +28,7 @@ enum class Formula { lsl, lsr, l_r_l, r_lr, lr_lr, r_lr_l, r_lsr, r_lsl, r_lsr_l
 struct Arcs {
   double length;
   double first;
-  double inner;  ///< of each turn but the first and the last
+  double inner;  ///< length of each turn except the first and the last
   double line;
   double last;
 };
@@ -119,7 +119,7 @@ inline Arcs lrl(const Circles& p) {  // Dubins
   return {2 * p.a + 4 * half, p.a + half + h, 2 * half, 0, p.a + half - h};
 }
 
-inline Arcs r_lr_wide(const Circles& p) {  // 8.4 by the other circle that touches both
+inline Arcs r_lr_wide(const Circles& p) {  // 8.4 with the other inner circle
   const double x = p.x + 2 * p.s, y = p.y;
   const double d_squared = x * x + y * y;
   const double h = atan_2(y, x);
@@ -155,7 +155,7 @@ inline Solution shortest(const Circles& p) {
   const double d = root(p.x * p.x + across * across);
   const bool is_lr_lr =
       p.lr * (d + 4) + 4 * (d + 2) * (p.s * x + p.y * p.c) <= 0 && ahead + 2 * p.y * p.s <= 0;
-  if (is_r_lr_l && is_lr_lr) {  // the only two that overlap
+  if (is_r_lr_l && is_lr_lr) {  // only the regions of these two overlap
     const Arcs r = r_lr_l(p);
     const Arcs l = lr_lr(p);
     return r.length <= l.length ? Solution{Formula::r_lr_l, r} : Solution{Formula::lr_lr, l};

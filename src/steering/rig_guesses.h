@@ -3,7 +3,7 @@
 #pragma once
 // From which words does Newton's method begin?
 //
-// Chosen by a greedy search: docs/algorithms/rig_steering.md, section 4.
+// A greedy search chose the guesses: docs/algorithms/rig_steering.md, section 4.
 
 #include <array>
 
@@ -11,8 +11,8 @@
 
 namespace vandplan::steering {
 
-/// Words in the order in which they are tried, the most useful first. Turns are in turning radii at
-/// states that are far apart; lines in distances between the states.
+/// Guessed words, the most useful first. Lengths of turns are in turning radii, for states that are
+/// far apart. Lengths of lines are in distances between the states.
 inline constexpr std::array<RigWord, 48> rig_guesses = {{
     {{1, -1, 1, 0}, {1.47, 1.25, 0.15, -0.94}},      // L+R+L+S-
     {{0, 1, -1, 0}, {1.32, 1.04, 1.10, -0.19}},      // S+L+R+S-

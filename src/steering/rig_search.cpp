@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t guess_count = rig_guesses.size() + 8;
 
-/// One of the four tasks that have the same paths but for their direction and their sides.
+/// One of four tasks whose paths differ only in direction and side.
 struct Image {
   RigEnds ends;
   bool is_backwards = false;
@@ -54,7 +54,7 @@ Image folded(const RigEnds& ends) {
                            [](const Image& a, const Image& b) { return a.key() < b.key(); });
 }
 
-/// A path of the image as the task meant it.
+/// A path of the image, mapped back to the task.
 Piece unfolded(const Image& image, std::span<const Segment> segments) {
   Piece piece;
   for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -90,7 +90,7 @@ double price_of(const RigSegments& segments, const WordPrices& prices) {
   return sum;
 }
 
-/// How long turns between the states are, about, where these are near each other.
+/// Estimated length of turns between the states [turning radii]: less than 1 where they are near.
 double size_of(const RigWordSolver::Task& task) {
   const double apart = std::abs(task.goal.x - task.start.x) + std::abs(task.goal.y - task.start.y) +
                        std::abs(task.goal.heading - task.start.heading) +
@@ -98,7 +98,7 @@ double size_of(const RigWordSolver::Task& task) {
   return std::cbrt(std::min(1.0, apart));
 }
 
-/// A guess in the size of a task.
+/// A guess with its lengths scaled to a task.
 RigWord sized(const RigWord& guess, const RigWordSolver::Task& task) {
   const double dx = task.goal.x - task.start.x, dy = task.goal.y - task.start.y;
   const double distance = std::sqrt(dx * dx + dy * dy);
@@ -110,11 +110,11 @@ RigWord sized(const RigWord& guess, const RigWordSolver::Task& task) {
   return word;
 }
 
-/// The place of a task in `rig_shortlists`, by how far apart and where the states are, how the
-/// heading changes and how bent the rig is.
+/// Index of a task in `rig_shortlists`: by distance and direction of the goal, change of heading,
+/// and how bent the rig is at both ends.
 std::size_t shortlist_of(const RigWordSolver::Task& task, double most) {
   const double x = task.goal.x - task.start.x, y = task.goal.y - task.start.y;
-  const double turn = task.goal.heading;  // half of it
+  const double turn = task.goal.heading;  // half of the change of heading
   const double distance = std::sqrt(x * x + y * y);
   const double apart = distance + 2 * std::abs(turn);
   const std::size_t reach = apart < 0.3 ? 0 : distance < 1 ? 1 : distance < 3.5 ? 2 : 3;
@@ -127,15 +127,15 @@ std::size_t shortlist_of(const RigWordSolver::Task& task, double most) {
   return (((reach * 3 + sector) * 4 + turned) * 3 + bent(task.start.u)) * 3 + bent(task.goal.u);
 }
 
-/// The angle of a turn to the left in [0, 2 pi).
+/// The angle plus whole turns, in [0, 2 pi).
 double in_one_turn(double angle) {
   constexpr double full_turn = 2 * std::numbers::pi;
   return angle - full_turn * std::floor(angle / full_turn);
 }
 
-/// A turn, a line and a turn forward on the sharpest circles that the rig can hold, with a swing to
-/// the other side at the end that bends the rig as the goal wants; none where the circles overlap
-/// (step 3).
+/// A turn, a line and a turn forward, on circles of the sharpest `radius` that the rig can hold
+/// (step 3). A swing to the other side at the end bends the rig as the goal wants. Nothing if the
+/// circles overlap.
 std::optional<RigWord> forward_guess(const RigWordSolver::Task& task, double radius, int first,
                                      int last) {
   constexpr double swing = 0.5;
@@ -143,7 +143,7 @@ std::optional<RigWord> forward_guess(const RigWordSolver::Task& task, double rad
   const RigPlace& b = task.goal;
   const double x = (b.x - last * radius * b.sin) - (a.x - first * radius * a.sin);
   const double y = (b.y + last * radius * b.cos) - (a.y + first * radius * a.cos);
-  const double across = radius * (last - first);  // of the centres, seen along the line
+  const double across = radius * (last - first);  // offset of the centres across the line
   const double squared = x * x + y * y - across * across;
   if (!(squared > 0)) return std::nullopt;
   const double line = std::sqrt(squared);
@@ -153,7 +153,7 @@ std::optional<RigWord> forward_guess(const RigWordSolver::Task& task, double rad
                   radius * in_one_turn(last * (b.heading - heading)) + swing, swing}};
 }
 
-/// Calls `take` with the arcs and lines that lead to the goal alone (step 2).
+/// Calls `take` with each single arc or line that leads to the goal (step 2).
 template <typename Take>
 void for_each_single(const RigWordSolver& solver, const RigWordSolver::Task& task, Take take) {
   const double turn = task.goal.heading - task.start.heading;
@@ -181,7 +181,7 @@ RigWord backwards(const RigWord& word) {
   return result;
 }
 
-/// The guess of a number of `rig_shortlists.h`, if there is one.
+/// The guess with a number of `rig_shortlists.h`; nothing if the task has no such guess.
 std::optional<RigWord> numbered_guess(const RigWordSolver& solver, const RigWordSolver::Task& task,
                                       std::size_t number) {
   if (number < rig_guesses.size()) return sized(rig_guesses[number], task);
@@ -196,7 +196,7 @@ std::optional<RigWord> numbered_guess(const RigWordSolver& solver, const RigWord
   return backwards(*guess);
 }
 
-/// The cheapest word so far, which cuts off dearer ones.
+/// The cheapest word found so far. Its price is the cutoff of later ones.
 class LeastWord {
  public:
   LeastWord(const RigWordSolver& solver, const RigWordSolver::Task& task)
@@ -211,7 +211,7 @@ class LeastWord {
   /// Whether a word is within a hundredth of the least possible price, or none can be cheap enough.
   [[nodiscard]] bool is_good() const { return task_.cutoff <= 1.01 * bound_; }
 
-  /// Whether the word is far dearer than most between states as far apart.
+  /// Whether the word is far dearer than most words between states as far apart, or there is none.
   [[nodiscard]] bool is_dear() const {
     return !least_ || task_.cutoff > 2 * bound_ + 6 * solver_.hold_radius() * size_of(task_);
   }
@@ -243,7 +243,8 @@ const Shortlist& shortlist(const RigWordSolver& solver, const RigWordSolver::Tas
   return rig_shortlists[shortlist_of(task, solver.hitch().most())];
 }
 
-/// Steps 2 and 3, and of step 4 the list of a task. Whether the word is good.
+/// Tries the guesses of a task's list (steps 3 and 4), unless step 2 was enough. Returns whether
+/// the word is good.
 bool look_at_likely(LeastWord& word, const Shortlist& likely) {
   if (word.is_good()) return true;
   for (const std::size_t number : likely) {
@@ -253,7 +254,7 @@ bool look_at_likely(LeastWord& word, const Shortlist& likely) {
   return false;
 }
 
-/// Steps 2 to 4.
+/// The cheapest word that steps 2 to 4 find.
 std::optional<RigSegments> least_word(const RigWordSolver& solver,
                                       const RigWordSolver::Task& task) {
   LeastWord word(solver, task);
@@ -270,13 +271,14 @@ std::optional<RigSegments> least_word(const RigWordSolver& solver,
   return word.least();
 }
 
-/// The way to a straight rig by the arc at full lock that is driven forward.
+/// The arc at full lock, driven forward, that straightens the rig.
 Segment straightening(const RigWordSolver& solver, const RigPlace& place) {
   const int turn = place.u > 0 ? -1 : 1;
   return {double(turn), place.u == 0 ? 0.0 : solver.hitch().way_between(turn, place.u, 0)};
 }
 
-/// A rig that is straightened at both ends, goes on straight there, and is joined by a word.
+/// A path that straightens the rig at both ends, goes on straight by `lines` there, and joins both
+/// ends by a word.
 std::optional<Piece> straightened(const RigWordSolver& solver, const Image& image,
                                   const RigWordSolver::Task& task,
                                   const std::array<double, 2>& lines) {
@@ -303,10 +305,10 @@ std::optional<Piece> straightened(const RigWordSolver& solver, const Image& imag
   return unfolded(image, {all.data(), count});
 }
 
-/// Goes on farther and farther straight until a word joins both ends (step 5).
+/// A path that goes straight on at both ends, ever farther, until a word joins them (step 5).
 std::optional<Piece> detour(const RigWordSolver& solver, const Image& image,
                             const RigWordSolver::Task& task) {
-  constexpr double longest = 100;
+  constexpr double longest = 100;  // [turning radii]
   for (double line = 0; line < longest; line = line * 1.5 + 1) {
     if (line > task.cutoff / std::min(task.prices.forward, task.prices.reverse)) break;
     for (const std::array<double, 2>& lines :

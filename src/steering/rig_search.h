@@ -27,11 +27,11 @@ struct RigEnds {
 [[nodiscard]] std::optional<Piece> least_rig_path(const RigWordSolver& solver, const RigEnds& ends,
                                                   const RigPrices& prices);
 
-/// The shortest path of the guesses that are tried first, if there is one.
+/// The shortest path from the guesses that are tried first; nothing if they lead to none.
 [[nodiscard]] std::optional<Piece> likely_rig_path(const RigWordSolver& solver,
                                                    const RigEnds& ends);
 
-/// All that it finds up to the cutoff, the cheapest first.
+/// All paths that the search finds up to the cutoff, the cheapest first.
 [[nodiscard]] std::vector<Piece> all_rig_paths(const RigWordSolver& solver, const RigEnds& ends,
                                                const RigPrices& prices);
 

@@ -3,7 +3,7 @@
 #pragma once
 // Which guesses are worth trying between two states of a rig?
 //
-// Learned from random pairs of many rigs: docs/algorithms/rig_steering.md, section 4.
+// Lists are learned from random pairs of many rigs: docs/algorithms/rig_steering.md, section 4.
 
 #include <array>
 #include <cstddef>
@@ -11,11 +11,11 @@
 
 namespace vandplan::steering {
 
-/// So many guesses are in a list.
+/// Number of guesses in a list.
 inline constexpr std::size_t shortlist_size = 8;
 
-/// For every kind of task the numbers of the guesses that are tried first, the most useful ones in
-/// front: those of `rig_guesses`, then those of a turn, a line and a turn.
+/// Numbers of the guesses that are tried first, the most useful in front, for each kind of task.
+/// 0 to 47 count `rig_guesses`, 48 to 55 the guesses of a turn, a line and a turn.
 inline constexpr std::array<std::array<std::uint8_t, shortlist_size>, 432> rig_shortlists = {{
     // clang-format off
     {0,1,2,3,4,5,6,7}, {0,1,2,3,4,5,6,7}, {0,1,2,3,4,5,6,7}, {0,1,2,3,4,5,6,7},

@@ -15,7 +15,7 @@ namespace {
 
 using namespace steering;
 
-constexpr double least_limit = 0.05, most_limit = 3.0;
+constexpr double least_limit = 0.05, most_limit = 3.0;  // range of `max_hitch_angle` [rad]
 
 double half_tangent(double angle) noexcept {
   const auto [sin, cos] = base::sin_cos(angle);
@@ -60,7 +60,7 @@ void check_prices(const RigPrices& prices) {
   if (std::isnan(prices.cutoff)) throw InputError("cutoff", "must be a number");
 }
 
-/// Two states at unit radius.
+/// Two states in their mean frame, at unit radius.
 RigEnds ends_of(const RigState& from, const RigState& to, double radius, double most) {
   const auto u = [&](const RigState& state) {
     return std::clamp(half_tangent(state.hitch_angle), -most, most);

@@ -13,7 +13,7 @@ namespace vandplan::steering {
 namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
-/// Shorter letters are rounding.
+/// Letters shorter than this are rounding [turning radii].
 constexpr double least_length = 1e-12;
 
 /// Drives an arc or a line; the heading is not wrapped.
@@ -38,12 +38,13 @@ double wrapped(double angle) noexcept {
 
 }  // namespace
 
-/// How the place reached changes with the length of a letter.
+/// Derivative of the place reached by the length of a letter.
 struct RigWordSolver::Slope {
   double x = 0.0, y = 0.0, heading = 0.0, u = 0.0;
 };
 
-/// By how much a word misses, and its derivatives to the four lengths.
+/// The gap of a word between the chains from both ends (x, y, heading, u), and its derivatives by
+/// the four lengths.
 struct RigWordSolver::Mismatch {
   std::array<double, 4> value{};
   std::array<Slope, 4> slopes{};
@@ -58,7 +59,8 @@ struct RigWordSolver::Letter {
   double way;  ///< negative in reverse
 };
 
-/// What of a letter is driven at full lock and what holds the limit, of no length if nothing does.
+/// The parts of a letter: `lock` at the curvature of the letter, `hold` at the curvature that holds
+/// the largest hitch angle. A part that is not driven has length 0.
 struct RigWordSolver::Parts {
   Segment lock, hold;
   HitchTurn::After end;
@@ -86,12 +88,13 @@ double price_of(const RigWord& word, const WordPrices& prices) noexcept {
   return sum;
 }
 
-/// The two parts of a letter, and what becomes of the hitch angle (6).
+/// Works out the two parts of a letter and the hitch angle at its end (6); false if the rig cannot
+/// hold the limit.
 bool RigWordSolver::divide(const RigPlace& place, const Letter& letter,
                            Parts& parts) const noexcept {
   const double most = hitch_.most();
   parts.end = hitch_.after(letter.turn, place.u, letter.way);
-  if (parts.end.slope > 0 && std::abs(parts.end.u) <= most) {  // NaN is not
+  if (parts.end.slope > 0 && std::abs(parts.end.u) <= most) {  // false for NaN
     parts.lock = {double(letter.turn), letter.way};
     parts.hold = {};
     return true;
@@ -111,7 +114,8 @@ bool RigWordSolver::divide(const RigPlace& place, const Letter& letter,
   return true;
 }
 
-/// Drives a letter; `slopes` has those of `count` letters before, and takes its own.
+/// Drives a letter. `slopes` has the derivatives by `count` letters before, and gets that by this
+/// letter. False if the letter cannot be driven.
 bool RigWordSolver::drive(RigPlace& place, const Letter& letter, Slope* slopes,
                           std::size_t count) const noexcept {
   Parts parts;
@@ -127,7 +131,7 @@ bool RigWordSolver::drive(RigPlace& place, const Letter& letter, Slope* slopes,
     Slope& s = slopes[i];
     s.x -= s.heading * (place.y - start.y);
     s.y += s.heading * (place.x - start.x);
-    if (holds && lock.length != 0.0) {  // another u at the start: the limit is reached elsewhere
+    if (holds && lock.length != 0.0) {  // another u at the start moves where the limit is reached
       const double later = -s.u / hitch_.rate(letter.turn, start.u);
       const double turn = (lock.curvature - hold.curvature) * later;
       s.x -= turn * (place.y - middle.y);
@@ -156,7 +160,7 @@ bool RigWordSolver::evaluate(const Task& task, const RigWord& word, std::size_t 
   mismatch.value = {ahead.x - back.x, ahead.y - back.y, wrapped(ahead.heading - back.heading),
                     ahead.u - back.u};
   for (std::size_t i = 0; i < meeting; ++i) mismatch.slopes[i] = to_goal[i];
-  // Both the way and the difference have the other sign.
+  // No change of sign: these letters are driven backwards, and their end is subtracted.
   for (std::size_t i = 0; i < count; ++i) {
     mismatch.slopes[RigWord::letters - 1 - i] = to_start[i];
   }
@@ -210,7 +214,7 @@ bool RigWordSolver::leads(const Task& task, std::span<const Segment> segments) c
   constexpr double slack = 1e-11, close = 2e-11, most_growth = 1e4;
   RigPlace end = task.is_backwards ? task.goal : task.start;
   const RigPlace& goal = task.is_backwards ? task.start : task.goal;
-  double growth = task.is_rounded ? 1.0 : 0.0;  // of what has been rounded so far
+  double growth = task.is_rounded ? 1.0 : 0.0;  // growth of the rounding errors so far
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const Segment& s = segments[task.is_backwards ? segments.size() - 1 - i : i];
     const double way = task.is_backwards ? -s.length : s.length;
@@ -226,7 +230,7 @@ bool RigWordSolver::leads(const Task& task, std::span<const Segment> segments) c
   return off <= std::max(close, task.tolerance * 8);
 }
 
-/// Of the matrix with these columns, by minors of its upper and of its lower half (Laplace).
+/// Determinant of the matrix with these columns, by minors of its upper and lower half (Laplace).
 double RigWordSolver::determinant(const Slope& a, const Slope& b, const Slope& c,
                                   const Slope& d) noexcept {
   const auto upper = [](const Slope& p, const Slope& q) { return p.x * q.y - p.y * q.x; };
@@ -237,7 +241,7 @@ double RigWordSolver::determinant(const Slope& a, const Slope& b, const Slope& c
          upper(b, c) * lower(a, d) - upper(b, d) * lower(a, c) + upper(c, d) * lower(a, b);
 }
 
-/// Cramer's rule.
+/// The Newton step by Cramer's rule; nothing if the matrix is nearly singular.
 std::optional<std::array<double, 4>> RigWordSolver::newton_step(const Mismatch& here) noexcept {
   constexpr double singular = 1e-14;
   const auto& [a, b, c, d] = here.slopes;
@@ -254,7 +258,7 @@ std::optional<RigSegments> RigWordSolver::solve(const Task& task, RigWord& guess
   constexpr int usual_steps = 12, most_steps = 40, most_trials = 2;
   constexpr double longest_step = 1.0;
   const double longest_turn = full_turn * hold_radius_;
-  // What it costs to close a gap of one radian or radius, about.
+  // Approximate cost of closing a gap of one radian or radius.
   const double dearest = 2 * std::max(task.prices.forward, task.prices.reverse);
   std::size_t meeting = 0;
   while (meeting < RigWord::letters && guess.lengths[meeting] >= 0) ++meeting;
@@ -286,7 +290,7 @@ std::optional<RigSegments> RigWordSolver::solve(const Task& task, RigWord& guess
     if (!is_nearer) return std::nullopt;
     guess = next;
     std::swap(here, there);
-    // 3. What closes no better than by halves, leads to a long detour or gets too dear is given up.
+    // 3. Give up a word that closes no better than by halves, makes a long detour or gets too dear.
     if (step >= usual_steps && squared > before / 2) return std::nullopt;
     for (std::size_t i = 0; i < 4; ++i) {
       if (guess.turns[i] != 0 && std::abs(guess.lengths[i]) > 1.5 * longest_turn)
@@ -295,7 +299,7 @@ std::optional<RigSegments> RigWordSolver::solve(const Task& task, RigWord& guess
     const double most_change = dearest * std::sqrt(squared);
     if (price_of(guess, task.prices) > task.cutoff + most_change) return std::nullopt;
   }
-  // 4. Only words within a turn and the cutoff, driven once more from start to goal.
+  // 4. Accept only turns within a whole one and prices within the cutoff; drive the word once more.
   for (std::size_t i = 0; i < 4; ++i) {
     if (guess.turns[i] != 0 && std::abs(guess.lengths[i]) > longest_turn) return std::nullopt;
   }

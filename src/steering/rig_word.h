@@ -21,12 +21,12 @@ namespace vandplan::steering {
 struct RigPlace {
   double x = 0.0, y = 0.0, heading = 0.0;
   double u = 0.0;               ///< tangent of half the hitch angle
-  double sin = 0.0, cos = 1.0;  ///< of the heading
+  double sin = 0.0, cos = 1.0;  ///< sine and cosine of the heading
 };
 
 [[nodiscard]] RigPlace rig_place(double x, double y, double heading, double u) noexcept;
 
-/// What is driven, in turning radii.
+/// Segments of a path, in turning radii.
 struct RigSegments {
   std::array<Segment, 8> list{};
   std::size_t count = 0;
@@ -34,14 +34,14 @@ struct RigSegments {
   [[nodiscard]] std::span<const Segment> view() const noexcept { return {list.data(), count}; }
 };
 
-/// Weights of the metres of a word and of its changes of gear.
+/// Prices of a radius driven in either gear, and of a gear change [turning radii].
 struct WordPrices {
   double forward = 1.0;
   double reverse = 1.0;
   double gear_change = 0.0;
 };
 
-/// Four letters. Words of fewer have letters of no length.
+/// A word of four letters. A shorter word has letters of length 0.
 struct RigWord {
   static constexpr std::size_t letters = 4;
   std::array<int, letters> turns{};       ///< 1 left, 0 straight, -1 right; neighbours differ
@@ -50,31 +50,31 @@ struct RigWord {
 
 [[nodiscard]] double price_of(const RigWord& word, const WordPrices& prices) noexcept;
 
-/// Closes words between two states.
+/// Finds lengths with which words join two states.
 class RigWordSolver {
  public:
   explicit RigWordSolver(const HitchTurn& hitch) noexcept;
 
-  /// What a word has to join, and up to which price one is of interest.
+  /// Two states to join by a word, and the prices of words.
   struct Task {
     RigPlace start, goal;
-    double tolerance = 1e-12;
+    double tolerance = 1e-12;  ///< largest gap of a closed word [turning radii, rad]
     WordPrices prices;
-    double cutoff = 0.0;
+    double cutoff = 0.0;        ///< largest price of a useful word
     bool is_backwards = false;  ///< the path will be driven from the goal to the start
-    bool is_rounded = false;    ///< more is driven before: a straight rig is straight but for that
+    bool is_rounded = false;  ///< other segments come first, so a straight rig has rounding errors
   };
 
-  /// The segments of the word with the letters of `guess` that Newton's method finds from its
-  /// lengths; nothing if it finds none, or one above the cutoff. `guess` takes the lengths.
+  /// Segments of the word with the letters of `guess` that Newton's method finds from its lengths.
+  /// Nothing if it finds none, or one above the cutoff. `guess` receives the lengths.
   [[nodiscard]] std::optional<RigSegments> solve(const Task& task, RigWord& guess) const noexcept;
 
-  /// Where a rig is after the segments.
+  /// Place of a rig after driving `segments` from `place`.
   [[nodiscard]] RigPlace after(const RigPlace& place,
                                std::span<const Segment> segments) const noexcept;
 
   /// Whether the segments, driven one after the other, lead to the goal within the limits, and
-  /// rounding does not grow too much on the way (7). At most 16.
+  /// rounding does not grow too much on the way (7).
   [[nodiscard]] bool leads(const Task& task, std::span<const Segment> segments) const noexcept;
 
   [[nodiscard]] const HitchTurn& hitch() const noexcept { return hitch_; }

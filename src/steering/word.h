@@ -18,7 +18,7 @@ namespace vandplan::steering {
 struct Step {
   double turn;       ///< 1 left, 0 straight, -1 right
   double gear;       ///< 1 forward, -1 reverse
-  std::size_t part;  ///< of `Arcs`: 0 first, 1 inner, 2 line, 3 last
+  std::size_t part;  ///< member of `Arcs`: 0 first, 1 inner, 2 line, 3 last
 };
 
 struct Steps {
@@ -27,7 +27,7 @@ struct Steps {
   bool same_sense = false;  ///< the first and the last step turn the heading the same way
 };
 
-/// From turns and gears, such as "L+R-L+".
+/// The steps of a word written as turns and gears, such as "L+R-L+".
 constexpr Steps steps_from(std::string_view text) {
   Steps steps;
   steps.count = text.size() / 2;
@@ -80,7 +80,7 @@ struct Symmetry {
   [[nodiscard]] constexpr bool swaps_ends() const { return (x != y) != half_turn; }
 };
 
-/// A word at `radius` [m] as `symmetry` makes it; parts of no length are left out.
+/// The piece of a word under `symmetry`, at `radius` [m]. Parts of length 0 or less are left out.
 inline Piece piece_of(reeds_shepp_formulas::Formula formula, const reeds_shepp_formulas::Arcs& arcs,
                       const Symmetry& symmetry, double radius) {
   const Steps& steps = steps_of(formula);
@@ -98,8 +98,8 @@ inline Piece piece_of(reeds_shepp_formulas::Formula formula, const reeds_shepp_f
   return piece;
 }
 
-/// Takes back what rounding pushed below zero on the border between two words; the sum of all
-/// turns stays the same.
+/// The arcs without the small negative first or last arc that rounding leaves on the border between
+/// two words. The change of heading stays the same.
 inline reeds_shepp_formulas::Arcs without_noise(reeds_shepp_formulas::Formula formula,
                                                 reeds_shepp_formulas::Arcs arcs) {
   double& lesser = arcs.first < arcs.last ? arcs.first : arcs.last;

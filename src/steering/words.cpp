@@ -22,12 +22,12 @@ using namespace steering::reeds_shepp_formulas;
 
 constexpr double full_turn = 2 * std::numbers::pi;
 
-/// What `for_each_word` needs to know of a formula.
+/// A formula, with what `for_each_word` needs to know about it.
 struct Kind {
   Formula formula;
   Arcs (*arcs)(const Circles&);
   double (*margin)(const Circles&);  ///< the word exists where this is >= 0
-  Symmetry own;  ///< maps the word onto itself; none for a word that has eight images
+  Symmetry own;  ///< symmetry that maps the word onto itself; `none` for a word with eight images
   int gear_changes;
   bool is_wide = false;  ///< the inner arc is more than half a turn
 };
@@ -59,17 +59,17 @@ constexpr std::array<Kind, 11> kinds = {{
 }};
 constexpr std::size_t reeds_shepp_kinds = 9;
 
-/// In [0, 2 pi), but what rounding pushed below zero stays there.
+/// The arc plus whole turns, in [0, 2 pi). An arc that rounding pushed below 0 stays there.
 double in_one_turn(double arc) {
   const double wrapped = arc - full_turn * std::floor(arc / full_turn);
   return wrapped < full_turn - 1e-12 ? wrapped : wrapped - full_turn;
 }
 
-/// A word of a formula between two poses, as one symmetry makes it.
+/// A word of a formula between two poses, under one symmetry.
 struct Word {
   const Kind& kind;
   Symmetry symmetry;
-  Arcs arcs;  ///< the first and the last in one turn
+  Arcs arcs;  ///< first and last arc are in [0, 2 pi), except for rounding
   double margin;
 };
 
@@ -93,8 +93,8 @@ void for_each_word(const Circles& circles, const Kind& kind, double least, Take 
   }
 }
 
-/// In turning radii; a first or last arc that rounding made negative shortens it by next to
-/// nothing.
+/// Length of a word [turning radii]. A first or last arc that rounding made negative shortens it by
+/// next to nothing.
 double length_of(const Word& word) {
   const Arcs& a = word.arcs;
   const double parts[] = {a.first, a.inner, a.line, a.last};
@@ -104,7 +104,7 @@ double length_of(const Word& word) {
   return sum;
 }
 
-/// The segments of a word, those of no length left out.
+/// The segments of a word, without those of length 0.
 Piece piece_of(const Word& word, double radius) {
   const Formula formula = word.kind.formula;
   Piece piece = piece_of(formula, without_noise(formula, word.arcs), word.symmetry, radius);
@@ -112,7 +112,7 @@ Piece piece_of(const Word& word, double radius) {
   return piece;
 }
 
-/// Leaves parts of a word out that are shorter than `reach`, or longer than a turn less `reach`.
+/// The arcs without vanishing parts: those shorter than `reach`, or within `reach` of a whole turn.
 Arcs without_vanishing(Arcs arcs, double reach) {
   for (double* part : {&arcs.first, &arcs.inner, &arcs.line, &arcs.last}) {
     const bool is_whole = part != &arcs.line && *part > full_turn - reach;
@@ -121,7 +121,8 @@ Arcs without_vanishing(Arcs arcs, double reach) {
   return arcs;
 }
 
-/// Makes such parts tiny at least, whereupon `mended` finds what they should be.
+/// The arcs with tiny parts in place of vanishing ones (see `without_vanishing`). From these
+/// `mended` finds their lengths.
 Arcs with_tiny(Arcs arcs, double reach) {
   const double tiny = reach / 100;
   for (double* part : {&arcs.first, &arcs.inner, &arcs.line, &arcs.last}) {
@@ -131,8 +132,7 @@ Arcs with_tiny(Arcs arcs, double reach) {
   return arcs;
 }
 
-/// Neighbours that go on alike become one segment, without a whole turn if that is what it has too
-/// much.
+/// The piece with neighbours of equal curvature and gear joined, and without whole turns too many.
 Piece joined(const Piece& piece, double radius, double reach) {
   Piece result;
   for (const Segment& segment : piece.view()) {
@@ -152,14 +152,14 @@ Piece joined(const Piece& piece, double radius, double reach) {
   return result;
 }
 
-/// What a word becomes where parts of it vanish.
+/// Guesses for paths that lack vanishing parts of words.
 class Guesses {
  public:
-  /// `shift` is how far the end of a word may be off [turning radii].
+  /// `shift`: how far from the pose a piece may end [turning radii].
   Guesses(double radius, double shift) : radius_(radius), reach_(4 * std::sqrt(shift)) {}
 
-  /// The guesses that the word is good for: none, if it has no part that is next to nothing or next
-  /// to a whole turn.
+  /// Adds two guesses from a word with a part near 0 or near a whole turn, or whose circles barely
+  /// miss each other. Other words add none.
   void add(const Word& word) {
     if (word.margin >= 0.0 && !is_near(word)) return;
     for (const Arcs& arcs : {without_vanishing(word.arcs, reach_), with_tiny(word.arcs, reach_)}) {
@@ -180,7 +180,7 @@ class Guesses {
   }
 
   double radius_;
-  double reach_;  // where a line or an arc is short, its length is as the root of a shift
+  double reach_;  // shorter parts may vanish; a short one is as long as the root of a shift
   std::vector<Piece> guesses_;
 };
 

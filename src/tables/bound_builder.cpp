@@ -15,34 +15,36 @@ namespace vandplan::tables {
 namespace {
 
 constexpr double unit = simd::bound_unit;
-// A box is cut in eight while the excess may stray further from the cell's plane within it.
+// Largest distance of the excess from the cell's plane in a box [turning radii]. A box with more is
+// cut in eight.
 constexpr double good_spread = 0.003;
 constexpr int most_cuts = 2;
 
 using Numbers = std::array<double, 3>;
 
-/// Coordinates in [0, 1] across a cell.
+/// Cube within a cell; the cell's coordinates run from 0 to 1.
 struct Part {
   Numbers corner;
   double size;
 };
 
-/// What is known of length - distance without slopes. Above, for poses that nearly agree: turn on
-/// the spot, then move along and across the heading, the latter in an S and straight back.
+/// Bounds on the excess (length - distance) without slopes. The upper bound holds for poses that
+/// nearly agree: turn on the spot, then move along and across the heading, across in an S and
+/// straight back.
 Interval coarse_excess(const PairBox& box) {
   const double distance = distance_at(box.radial.high);
   if (distance > 1.0) return {0.0, infinity};
   return {0.0, box.turn.high * std::numbers::pi + 4 * twice_arc_sine(std::sqrt(distance) / 2)};
 }
 
-/// The cell in question, with the slopes that its planes shall have.
+/// Cell of the table for which planes are computed.
 class BoundCell {
  public:
   BoundCell(int radial, int side, int turn)
       : size_{1.0 / simd::radial_cells, 1.0 / simd::side_cells, 1.0 / simd::turn_cells},
         corner_{radial * size_[0], side * size_[1], turn * size_[2]} {}
 
-  /// Slopes of the plane that comes closest to the middles of the cell's eight parts.
+  /// Slopes of the least-squares plane through the excess at the middles of the cell's eight parts.
   Numbers fitted_slopes() const {
     Numbers slopes{};
     for (int i = 0; i < 8; ++i) {
@@ -55,7 +57,7 @@ class BoundCell {
     return slopes;
   }
 
-  /// How far length - distance lies above and below a plane through the corner.
+  /// Range of the excess (length - distance) minus a plane through the cell's corner, over `part`.
   Interval residual(const Numbers& slopes, const Part& part, const WordSet& among, int cuts) const {
     std::array<Interval, 3> range;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -65,8 +67,8 @@ class BoundCell {
     const PairBox box{range[0], range[1], range[2]};
     const Excess excess = excess_over(box, among);
     double plane = 0.0;
-    double half = 0.0;    // how far the plane rises within the part
-    double spread = 0.0;  // how far the excess strays from it
+    double half = 0.0;    // How far the plane rises from the middle of the part to its border.
+    double spread = 0.0;  // Largest change of excess - plane from the middle of the part.
     for (std::size_t k = 0; k < 3; ++k) {
       plane += slopes[k] * (part.corner[k] + part.size / 2);
       half += std::abs(slopes[k]) * part.size / 2;

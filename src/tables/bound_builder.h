@@ -3,24 +3,24 @@
 #pragma once
 // What does the table of bounds hold?
 //
-// Runs while the library is built; the library itself only looks up.
+// The table is built together with the library. The finished library only looks up entries.
 
 #include "simd/bound_grid.h"
 
 namespace vandplan::tables {
 
-// What the planes are moved outwards for. docs/algorithms/bound_table.md, "Rounding", has the sums.
+// Margins by which planes are moved outwards. Error analysis: docs/proofs/bound_table.md.
 
-/// The most that a look-up in float is off by [turning radii], beside a part of the distance,
-/// `simd::noise`.
+/// Largest error of a look-up in float [turning radii]. An error proportional to the distance,
+/// `simd::noise`, comes on top.
 inline constexpr double look_up_rounding = 1.1e-5;
-/// The most that intervals in double are off by in a residual [turning radii].
+/// Largest rounding error of a residual computed with intervals in double [turning radii].
 inline constexpr double interval_rounding = 1e-7;
-/// How far planes are moved outwards [turning radii]; more than both together.
+/// Margin by which planes are moved outwards [turning radii]; more than both errors together.
 inline constexpr double rounding = 2e-5;
 static_assert(look_up_rounding + interval_rounding < rounding);
 
-/// The entry of one cell. Its bounds hold for every pair of poses in the closed cell, with
+/// Table entry of one cell. Its bounds hold for every pair of poses in the closed cell, with
 /// `rounding` to spare.
 [[nodiscard]] simd::BoundEntry bound_entry(int radial, int side, int turn);
 

@@ -18,7 +18,7 @@ double signed_bits(std::uint32_t word, int skip, int count) {
   return static_cast<double>(static_cast<std::int32_t>(word << skip) >> (32 - count));
 }
 
-// "base,width,slope_radial,slope_side,slope_turn" [turning radii].
+// Base, width and slopes of an entry as CSV fields, each after a comma [turning radii].
 std::string planes_of(const BoundEntry& entry) {
   const double slope_unit = simd::slope_step * bound_unit;
   const double numbers[] = {signed_bits(entry.base_width, 0, 16) * bound_unit,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-// The tables of the thesis in a build that is to be small: each is computed when it is first asked
-// for, with the same entries.
+// Tables of the thesis in a small build. Each is computed at its first use; its entries equal those
+// of the stored tables.
 #include "vandplan/heuristic_table.h"
 
 namespace vandplan {

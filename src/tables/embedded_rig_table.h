@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Of which rig is the table that is computed while the library is built?
+// Which rig is the table computed for while the library is built?
 
 #include "vandplan/vehicle.h"
 
 namespace vandplan::tables {
 
-/// What steering needs to know of the catalogue's `tractor-semitrailer`.
+/// Dimensions of the catalogue's `tractor-semitrailer`, as far as steering uses them [m, rad].
 [[nodiscard]] inline Vehicle rig_of_table() {
   Vehicle vehicle;
   vehicle.min_turning_radius = 5.871749125558551;

@@ -29,16 +29,16 @@ Interval along_heading(End end, Interval arc, Interval middle, Interval size) {
   }
 }
 
-/// How the coordinates of the grid stretch across the box.
+/// Derivatives of polar coordinates by the coordinates of the grid, over a box.
 struct Chart {
   Interval radial_to_distance;  ///< d distance / d radial
-  Interval radial_to_nearness;  ///< the same / distance^2
+  Interval radial_to_nearness;  ///< d (1 / distance) / d radial, positive.
   Interval side_to_bearing;     ///< d bearing / d side
 };
 
 using Slopes = std::array<Interval, 3>;
 
-/// Slopes of length - distance for one word.
+/// Slopes of length - distance for one word, along radial, side and turn.
 Slopes slopes_of(const Polar& box, const Chart& chart, const Word& word, const View& view,
                  const Pieces& p) {
   if (word.left_word == l_r_l) {
@@ -69,8 +69,8 @@ struct Candidate {
   std::size_t word;
   Pieces pieces;
   Slopes slopes;
-  double lead = 0.0;    ///< its length in the centre - the shortest
-  bool counts = false;  ///< it is shortest somewhere, as far as we can tell
+  double lead = 0.0;    ///< Length of the word in the centre - shortest length there.
+  bool counts = false;  ///< Whether the word may be shortest somewhere, as far as is known yet.
 };
 
 PairBox centre_of(const PairBox& box) {
@@ -103,19 +103,19 @@ Slopes hull_of_counting(const std::vector<Candidate>& candidates) {
   return all;
 }
 
-/// No path from the centre on which only words with slopes in `all` are shortest reaches a pair for
-/// which the candidate is.
+/// Whether the candidate becomes shortest on no way from the centre to a pair of the box, as long
+/// as the slopes of the shortest word lie in `all`. `half`: half the sides of the box.
 bool stays_longer(const Candidate& candidate, const Slopes& all, const std::array<double, 3>& half,
                   double excess, const Polar& box) {
-  double gain = 0.0;  // of the candidate on the others
-  double rise = 0.0;  // of length - distance
+  double gain = 0.0;  // Most that the candidate can gain on the other words.
+  double rise = 0.0;  // Most that length - distance can rise.
   for (std::size_t i = 0; i < 3; ++i) {
     const Interval slope = candidate.slopes[i];
     gain += half[i] * std::max(all[i].high - slope.low, slope.high - all[i].low);
     rise += half[i] * std::max(all[i].high, -all[i].low);
   }
   const Pieces& p = candidate.pieces;
-  constexpr double slack = 3 * margin;  // a length is a sum of three pieces
+  constexpr double slack = 3 * margin;  // A length is a sum of three pieces.
   if (p.everywhere && candidate.lead > gain + slack) return true;
   return p.least() - box.distance.high > excess + rise + slack;
 }
@@ -131,7 +131,7 @@ Excess excess_over(const PairBox& box, const WordSet& among) {
   const double shortest = shortest_length(centre);
   Excess excess{.at_centre = shortest - centre.distance.low};
   if (whole.distance.low == 0.0 && whole.turn.low == 0.0) {
-    excess.words = among;  // equal poses: sideways the length grows like a square root
+    excess.words = among;  // Near equal poses the length grows like a square root sideways.
     excess.bounded = false;
     return excess;
   }

@@ -3,7 +3,7 @@
 #pragma once
 // How does the Reeds-Shepp length change across a box of relative poses?
 //
-// Turning radius 1. The reasons why the answers hold: docs/algorithms/bound_table.md.
+// Turning radius 1. Proofs: docs/algorithms/bound_table.md.
 
 #include <array>
 #include <bitset>
@@ -13,22 +13,22 @@
 
 namespace vandplan::tables {
 
-/// Some of the 48 words.
+/// Subset of the 48 words.
 using WordSet = std::bitset<48>;
 
-/// length - distance over a box of pairs.
+/// Bounds on the excess, length - distance, over a box of pairs of poses [turning radii].
 struct Excess {
-  double at_centre = 0.0;            ///< exact
-  std::array<Interval, 3> slopes{};  ///< of all its slopes along radial, side and turn
-  WordSet words{};                   ///< those that can be shortest somewhere in the box
-  bool bounded = true;               ///< else nothing is known of the slopes
+  double at_centre = 0.0;            ///< Exact excess at the centre of the box.
+  std::array<Interval, 3> slopes{};  ///< Ranges of the slopes along radial, side and turn.
+  WordSet words{};                   ///< Words that can be shortest somewhere in the box.
+  bool bounded = true;  ///< Whether `slopes` is valid; near equal poses no slopes are known.
 };
 
-/// Length - distance over a box, given that no word but those of `among` is shortest anywhere in
-/// it.
+/// Excess (length - distance) over a box. Requires that only words of `among` are shortest anywhere
+/// in it.
 [[nodiscard]] Excess excess_over(const PairBox& box, const WordSet& among);
 
-/// Length - distance of a single pair, by its coordinates in [0, 1] [turning radii].
+/// Excess (length - distance) of one pair [turning radii], from its coordinates in [0, 1].
 [[nodiscard]] double excess_at(double radial, double side, double turn);
 
 }  // namespace vandplan::tables

@@ -22,13 +22,14 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double most_entries = 0x1p28;  // 1 GiB of floats; an index fits in 32 bits
 
-// Lengths of vehicles are from a micrometre to 1000 km, and quotients of two such fit a float.
+// Throws InputError unless a length is 1e-6 to 1e6 m. Quotients of two such lengths fit a float.
 void require_length(const char* where, double given) {
   base::require(given > 0.0, where, given, "more than 0 m");
   base::require(given >= 1e-6 && given <= 1e6, where, given, "0.000001 to 1000000 m");
 }
 
-// Grid points along x and along y. Throws InputError if an option is out of range.
+// Number of grid points along x, equal to that along y. Throws InputError if an option is out of
+// range.
 int checked_positions(const HeuristicTableOptions& options) {
   const auto& [extent, step, heading_cells, radius] = options;
   require_length("extent", extent);

@@ -3,8 +3,8 @@
 #pragma once
 // Between which two numbers does a quantity lie?
 //
-// Plain double without directed rounding: whoever concludes something from an interval leaves a
-// margin above rounding (docs/algorithms/bound_table.md, "Rounding").
+// Plain double without directed rounding. A proof that uses an interval must leave a margin above
+// the rounding error (docs/proofs/bound_table.md).
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using base::atan_2, base::sin_cos;
 
-/// [low, high]; empty when low > high.
+/// Closed interval [low, high]; empty when low > high.
 struct Interval {
   double low = 0.0;
   double high = 0.0;
@@ -28,7 +28,7 @@ struct Interval {
   [[nodiscard]] double width() const { return high - low; }
 };
 
-/// One number.
+/// Interval that contains one number.
 inline Interval point(double value) { return {value, value}; }
 
 inline Interval operator+(Interval a, Interval b) { return {a.low + b.low, a.high + b.high}; }
@@ -52,12 +52,12 @@ inline Interval operator*(Interval a, Interval b) {
 /// 1 / a for a > 0.
 inline Interval inverse(Interval a) { return {1 / a.high, 1 / a.low}; }
 
-/// Everything in both.
+/// Intersection of two intervals.
 inline Interval meet(Interval a, Interval b) {
   return {std::max(a.low, b.low), std::min(a.high, b.high)};
 }
 
-/// The smallest interval around both.
+/// Smallest interval that contains two intervals.
 inline Interval hull(Interval a, Interval b) {
   return {std::min(a.low, b.low), std::max(a.high, b.high)};
 }
@@ -68,12 +68,12 @@ inline Interval square(Interval a) {
   return {a.low <= 0.0 && a.high >= 0.0 ? 0.0 : std::min(low, high), std::max(low, high)};
 }
 
-/// The square roots of what is not negative in `a`.
+/// Square roots of the nonnegative numbers in `a`.
 inline Interval square_root(Interval a) {
   return {std::sqrt(std::max(a.low, 0.0)), std::sqrt(std::max(a.high, 0.0))};
 }
 
-/// The values of an increasing function.
+/// Range of an increasing function over `a`.
 template <typename Function>
 Interval increasing(Interval a, Function f) {
   return {f(a.low), f(a.high)};
@@ -88,7 +88,7 @@ inline Interval sine(Interval a) {
   const double s = sin_cos(a.low).sin;
   const double t = sin_cos(a.high).sin;
   Interval range{std::min(s, t), std::max(s, t)};
-  const auto contains = [&a](double angle) {  // for some whole number of turns more
+  const auto contains = [&a](double angle) {  // Whether the angle plus whole turns lies in `a`.
     return a.low <= angle + 2 * pi * std::floor((a.high - angle) / (2 * pi));
   };
   if (contains(pi / 2)) range.high = 1.0;
@@ -98,7 +98,7 @@ inline Interval sine(Interval a) {
 
 inline Interval cosine(Interval a) { return sine(a + std::numbers::pi / 2); }
 
-/// Direction of the points of a box that does not hold the origin; continuous across the box.
+/// Range of directions [rad] of the points in a box without the origin; continuous across the box.
 inline Interval direction(Interval x, Interval y) {
   if (x.low == x.high && y.low == y.high) {
     const double angle = atan_2(y.low, x.low);
@@ -110,7 +110,8 @@ inline Interval direction(Interval x, Interval y) {
   }
   if (y.high <= 0.0) return -direction(x, -y);
   if (x.low > 0.0) return {atan_2(y.low, x.low), atan_2(y.high, x.low)};
-  const Interval opposite = direction(-x, -y);  // crosses the negative x axis
+  /// Direction of the mirrored box, which crosses the positive x axis.
+  const Interval opposite = direction(-x, -y);
   return opposite + std::numbers::pi;
 }
 

@@ -23,19 +23,19 @@ using tables::Block, tables::GridCell;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Nodes in a grid, of a vehicle with this turning radius [m].
+/// Nodes of a vehicle with a turning radius [m], in a grid.
 struct Nodes : tables::PoseGrid {
   double radius = 0.0;
 };
 
-/// A node that may be wanted, and bounds of its length [m].
+/// Node that may be among the nearest, with bounds on its length [m].
 struct Candidate {
   float low;
   float high;
   std::int32_t node;
 };
 
-// What a query for one node keeps of those that are collected.
+// Candidates and result of a query for one node.
 class One {
  public:
   One(const Nodes& nodes, const Pose& sample) : all_(nodes), sample_(sample) {}
@@ -80,8 +80,8 @@ class One {
   std::array<Candidate, 64> candidate_;
 };
 
-// What a query for several nodes keeps. The limit is the k-th least upper bound, for k nodes that
-// are wanted, or a little above it.
+// Candidates and result of a query for the k nearest nodes. The limit is the k-th least upper
+// bound, or a little above it.
 class Several {
  public:
   Several(const Nodes& nodes, const Pose& sample, const NearWanted& wanted)
@@ -111,10 +111,10 @@ class Several {
     return found;
   }
 
-  // Nodes are measured only where their bounds leave it open whether they are among the first.
+  // Nodes in any order. Exact lengths are computed only where the bounds do not decide.
   std::vector<std::int32_t> in_any_order() {
     drop_candidates();
-    double sure = infinity;  // what is shorter is among the first
+    double sure = infinity;  // Nodes whose length is below this are among the first [m].
     if (candidates_.size() > count_) {
       const auto last = candidates_.begin() + static_cast<std::ptrdiff_t>(count_) - 1;
       std::ranges::nth_element(candidates_, last, {}, &Candidate::low);
@@ -151,7 +151,7 @@ class Several {
     std::erase_if(candidates_, [&](const Candidate& c) { return c.low > limit_; });
   }
 
-  /// The first `count` of the candidates, in any order.
+  /// The `count` nearest of the candidates within the largest length, in any order.
   std::vector<NearNode> measured(std::span<const Candidate> candidates, std::size_t count) const {
     std::vector<NearNode> found;
     found.reserve(candidates.size());
@@ -169,15 +169,15 @@ class Several {
 
   const Nodes& all_;
   const Pose& sample_;
-  double within_;                   // [m]
-  std::size_t count_;               // wanted, no more than there are
-  float limit_;                     // [m]
-  std::size_t next_ = count_;       // so many bounds give a new limit
-  std::vector<float> bounds_ = {};  // upper ones, the least `count_` among them
+  double within_;                   // Largest length of a wanted node [m].
+  std::size_t count_;               // Number of wanted nodes, at most the number in the grid.
+  float limit_;                     // Largest lower bound of a candidate [m].
+  std::size_t next_ = count_;       // Number of bounds at which the limit is lowered.
+  std::vector<float> bounds_ = {};  // Upper bounds, with the least `count_` of them among them [m].
   std::vector<Candidate> candidates_ = {};
 };
 
-// One query.
+// Search of one query: nodes are collected ring by ring, then exact lengths are computed.
 //
 //   limit := infinity, which the least length is never above
 //   for the sample's cell, then ring by ring of cells around it:
@@ -252,8 +252,8 @@ class Search {
 
   std::span<float> first(auto& column) const { return std::span(column).first(count_); }
 
-  // Every node outside of the rings up to this one is further away than this [m]; infinity if there
-  // is none.
+  // Lower bound on the distance of all nodes outside this ring and those within it [m]. Infinity if
+  // no cell is outside.
   double beyond(std::int32_t ring) const {
     const double x = sample_.x - all_.x_min;
     const double y = sample_.y - all_.y_min;
@@ -274,7 +274,7 @@ class Search {
   const Pose& sample_;
   float heading_;
   GridCell centre_;
-  std::size_t count_ = 0;  // nodes collected
+  std::size_t count_ = 0;  // Number of nodes in the batch.
   std::array<float, batch> x_, y_, node_heading_, low_, high_;
   std::array<std::int32_t, batch> node_;
 };

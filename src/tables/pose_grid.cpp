@@ -11,7 +11,7 @@
 namespace vandplan::tables {
 namespace {
 
-// Measured: 3 and 10 nodes in a cell are slower.
+// Mean number of nodes in a cell. Measured: 3 and 10 are slower.
 constexpr double nodes_per_cell = 6.0;
 constexpr std::size_t fewest_nodes_for_a_grid = 32;
 
@@ -44,7 +44,8 @@ void PoseGrid::remove(std::int32_t node) {
     const std::span<const std::int32_t> there(holder.node, holder.count);
     const auto at = static_cast<std::size_t>(std::ranges::find(there, node) - there.begin());
     if (at == holder.count) continue;
-    // The last node of the cell's first block, the only one that is not full, takes its place.
+    // The last node of the cell's first block fills the gap, since only that block may be
+    // incomplete.
     Block& source = block(first);
     const std::size_t last = --source.count;
     holder.x[at] = source.x[last];

@@ -18,8 +18,8 @@
 namespace vandplan {
 namespace {
 
-// The largest stored hitch angle, as a share of the limit: half of it is stored below a quarter of
-// that, where most states of a drive are.
+// Largest stored hitch angle, as a share of the limit. Stored angles grow quadratically: half of
+// them lie below a quarter of the largest, where most states of a drive are.
 constexpr double widest = 0.8;
 
 void check(const RigTableOptions& options) {
@@ -129,7 +129,7 @@ double RigTable::look_up(const Place& from, const Place& to) const noexcept {
   const double share = far > reach ? reach / far : 1.0;
   const double beyond = far > reach ? (1.0 - share) * std::sqrt(x * x + y * y) : 0.0;
   const double per_metre = cells / reach;
-  // In whole steps of the heading, from 0 to a turn; both ends are the same.
+  // Heading in steps of the table, 0 to `headings`; both ends are the same heading.
   const double steps = (is_mirrored ? -turn : turn) * (headings / (2 * std::numbers::pi));
   const int heading = static_cast<int>(steps < 0.0 ? steps + headings + 0.5 : steps + 0.5);
   const int last_angle = options_.hitch_angles - 1;

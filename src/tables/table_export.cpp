@@ -14,7 +14,7 @@
 namespace vandplan::tables {
 namespace {
 
-constexpr std::size_t most_entries = std::size_t{1} << 24;  // more than a compiler could bear
+constexpr std::size_t most_entries = std::size_t{1} << 24;  // More would overload a compiler.
 
 void check_size(const HeuristicTable& table) {
   if (table.entries().size() <= most_entries) return;

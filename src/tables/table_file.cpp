@@ -22,7 +22,7 @@ using table_bytes::Head;
 
 static_assert(table_file_head_size == table_bytes::head_size);
 
-/// Throws InputError naming `file` for numbers out of range.
+/// Options of a table of lengths. Throws InputError naming `file` for numbers out of range.
 HeuristicTableOptions options_of(const Head& head, const std::string& file) {
   const auto [radius, extent, step, heading_cells] = head.parameters;
   const HeuristicTableOptions options{
@@ -43,7 +43,7 @@ HeuristicTableOptions options_of(const Head& head, const std::string& file) {
   return options;
 }
 
-/// Throws InputError naming `file` for numbers out of range.
+/// Dimensions of a table of bounds. Throws InputError naming `file` for numbers out of range.
 BoundTableInfo bounds_of(const Head& head, const std::string& file) {
   const auto require = [&file](bool holds, const char* where, const std::string& given,
                                const char* expected) {

@@ -9,8 +9,8 @@
 
 namespace vandplan::tables {
 
-/// How many entries a table with these options has. Throws InputError naming the option that is out
-/// of range, or when they are too many.
+/// Number of entries of a table with these options. Throws InputError naming the option that is out
+/// of range, or `step` if there are too many entries.
 [[nodiscard]] std::size_t checked_entries(const HeuristicTableOptions& options);
 
 }  // namespace vandplan::tables

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// The centres differ by the poses' difference and (x, y).
+/// Circle pair whose centres differ by the poses' difference plus (x, y).
 CirclePair circles_of(const Polar& box, Interval x, Interval y) {
   const Interval along = x * box.cos_bearing + y * box.sin_bearing;
   const Interval along_all = box.distance + along;
@@ -28,7 +28,7 @@ CirclePair circles_of(const Polar& box, Interval x, Interval y) {
     c.lean = direction(along_all, c.across);
     c.direction = direction(dx, dy);
     const Interval other = c.lean + box.bearing;
-    if (c.direction.width() + other.width() < 2 * pi) {  // else whole turns cannot be told apart
+    if (c.direction.width() + other.width() < 2 * pi) {  // Otherwise the whole turns are ambiguous.
       const double turns = std::round((c.direction.middle() - other.middle()) / (2 * pi));
       const Interval both = meet(c.direction, other + 2 * pi * turns);
       if (both.low <= both.high) c.direction = both;
@@ -59,7 +59,8 @@ const std::array<Shape, 9> shapes{{
     {false, std::sqrt(20.0), infinity, true, End::sin_arc, End::sin_arc, -1},
 }};
 
-/// Changing one sign gives most formulas a twin, and some the same word again.
+/// Whether another combination of signs gives the same word. One change of sign makes most formulas
+/// a twin, but maps some to themselves.
 bool is_repeated(const Word& word) {
   switch (word.left_word) {
     case lsl:
@@ -76,7 +77,8 @@ bool is_repeated(const Word& word) {
   }
 }
 
-/// Cuts `range` to [low, high] and notes it. False if nothing is left.
+/// Clips `range` to [low, high] and clears `untouched` if that changes it. False if nothing is
+/// left.
 bool cut(Interval& range, double low, double high, bool& untouched) {
   if (range.high < low - margin || range.low > high + margin) return false;
   if (range.low < low || range.high > high) untouched = false;
@@ -84,7 +86,7 @@ bool cut(Interval& range, double low, double high, bool& untouched) {
   return true;
 }
 
-/// The arc between the outer ones for centres at `d`.
+/// Arc between the outer arcs, for centres at distance `d`.
 Interval middle_arc(LeftWord left_word, Interval d) {
   if (left_word == lr_lr) {  // cos u = (2 + d) / 4
     const auto arc = [](double e) { return twice_arc_sine(std::sqrt((2 - e) / 8)); };
@@ -99,15 +101,15 @@ Interval middle_arc(LeftWord left_word, Interval d) {
   return increasing(d * 0.25, twice_arc_sine);
 }
 
-/// atan(sin u / (2 - cos u)), greatest at pi / 3.
+/// Tilt atan(sin u / (2 - cos u)) over an interval; it is greatest at pi / 3.
 Interval tilt_of(Interval u) {
   const auto tilt = [](double v) { return atan_2(sin_cos(v).sin, 2 - sin_cos(v).cos); };
   const Interval ends = hull(point(tilt(u.low)), point(tilt(u.high)));
   return u.low < pi / 3 && u.high > pi / 3 ? Interval{ends.low, pi / 6} : ends;
 }
 
-/// The angle plus the whole turns that bring it closest to what an arc can be, [0, longest]; around
-/// all that reach it where those are several.
+/// The angle plus the whole turns that bring it closest to [0, longest], the range of an arc. If
+/// several whole turns reach that range, the result contains all of them.
 Interval arc_of(Interval angle, double longest) {
   const double turns = std::round((longest / 2 - angle.middle()) / (2 * pi));
   Interval arc = angle + 2 * pi * turns;
@@ -177,15 +179,16 @@ std::optional<Pieces> pieces_of(const Polar& box, LeftWord left_word, const View
   if (!cut(d, shape.least, shape.most, p.everywhere)) return {};
   if (!shape.has_line) {
     p.middle = middle_arc(left_word, d);
-    // Every other arc of a shortest path is at most as long, and there are at most four; the path
-    // is no shorter than the distance or the turn.
+    // Each other arc of a shortest path is at most as long as this one, and there are at most four
+    // arcs. The path is at least as long as the distance and the turn.
     const double least = left_word == l_r_l ? 0.0 : std::max(box.distance.low, box.turn.low) / 4;
     if (!cut(p.middle, least, pi, p.everywhere)) return {};
     p.longest = left_word == l_r_l ? pi : p.middle.high;
   }
   const Interval u = p.middle;
   const Interval t = c.tilt;
-  Interval heading0, heading1;  // after the first arc and before the last, from the centres' line
+  // Headings relative to the centres' line, after the first arc and before the last.
+  Interval heading0, heading1;
   switch (left_word) {
     case lsl:
       p.rest = d;

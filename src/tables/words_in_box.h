@@ -3,7 +3,7 @@
 #pragma once
 // Where do the words lead, and how long are their arcs, for all pairs of poses in a box?
 //
-// Turning radius 1. The formulas are those of docs/algorithms/steering.md.
+// Turning radius 1. Formulas: docs/algorithms/steering.md.
 
 #include <array>
 #include <numbers>
@@ -14,73 +14,75 @@
 
 namespace vandplan::tables {
 
-/// Pairs of poses by the coordinates of simd/bound_grid.h, each in [0, 1].
+/// Box of pairs of poses, in the coordinates of simd/bound_grid.h, each in [0, 1].
 struct PairBox {
   Interval radial;
   Interval side;
   Interval turn;
 };
 
-/// From the coordinates of the grid to those of the mean frame.
+/// Distance [turning radii] or bearing [rad] in the mean frame, from a coordinate of the grid.
 [[nodiscard]] double distance_at(double radial);
 [[nodiscard]] double bearing_at(double side);
 
 namespace words_in_box {
 
-/// More than rounding does to an arc [rad] or to a distance of centres; three times it is more than
-/// rounding does to the length of a word. docs/algorithms/bound_table.md, "Rounding".
+/// Bound on the rounding error of an arc [rad] or of a distance of centres [turning radii]. Three
+/// times this bounds the rounding error of a word's length. Proof: docs/proofs/bound_table.md.
 inline constexpr double margin = 1e-7;
-/// Beyond this distance the slopes of words with a line are computed relative to it.
+/// Distance [turning radii] beyond which the slopes of words with a line are computed relative to
+/// it.
 inline constexpr double far = 2.5;
 
-/// Two turning circles: centre of the last one as seen from that of the first.
+/// Centre of the last turning circle relative to that of the first, over a box.
 struct CirclePair {
   Interval distance;
   Interval direction;
-  Interval lean;    ///< direction - bearing
-  Interval across;  ///< component of the difference across the bearing
+  Interval lean;    ///< Direction of the centres - bearing [rad].
+  Interval across;  ///< Component of the difference across the bearing.
   Interval cos_lean;
-  Interval stretch;  ///< distance of the poses / distance of the centres, when they are far apart
-  Interval tangent;  ///< length of the inner tangent, where there is one
-  Interval tilt;     ///< between the inner tangent and the line of the centres
-  bool directed = true;  ///< the centres differ everywhere in the box
+  Interval stretch;      ///< Distance of the poses / distance of the centres; set beyond `far`.
+  Interval tangent;      ///< Length of the inner tangent, where there is one.
+  Interval tilt;         ///< Angle between the inner tangent and the line of the centres [rad].
+  bool directed = true;  ///< Whether the centres differ everywhere in the box.
 };
 
-/// A box of pairs in polar coordinates of the mean frame.
+/// Box of pairs of poses in polar coordinates of the mean frame.
 struct Polar {
   Interval distance;
   Interval nearness;  ///< 1 / distance
   Interval bearing;
   Interval turn;
   Interval cos_bearing, sin_bearing;
-  // By symmetry every word looks at one of these: left to left, right to right, left to right,
-  // right to left.
+  // First and last turning circles: left to left, right to right, left to right, right to left. By
+  // symmetry each word needs just one of the four.
   std::array<CirclePair, 4> circles;
 };
 
-/// The box in polar coordinates, with the circles that `wanted` asks for.
+/// Polar coordinates of the box. `wanted` says which circles are computed.
 [[nodiscard]] Polar polar(const PairBox& box, const std::array<bool, 4>& wanted);
 
-/// The nine words of docs/algorithms/steering.md, each beginning with a left turn forward: l and
-/// r are arcs, s is a line, `_` a change of gear. Formulas that steering/reeds_shepp_formulas.h
-/// begins with a right turn or in reverse are seen mirrored or from the other end here.
+/// The nine words of docs/algorithms/steering.md, each beginning with a left turn forward. In the
+/// names l and r are arcs, s is a line, `_` a change of gear. Words that
+/// steering/reeds_shepp_formulas.h begins with a right turn or in reverse are mirrored or reversed
+/// here.
 enum LeftWord { lsl, lsr, lr_l, l_r_l, lr_lr, l_rl_r, l_rsl, l_rsr, l_rsl_r };
 
-/// How much of the costate points along the heading at an end of the path, seen from the outer arc.
+/// Formula for the component of the costate along the heading, at one end of the path.
 enum class End { cos_arc, sin_arc, sin_rest };
 
-/// What a left word is, apart from its angles.
+/// Properties of a left word that do not depend on its angles.
 struct Shape {
-  bool same_side;      ///< begins and ends with a left turn
-  double least, most;  ///< distances of the centres for which it can be shortest
+  bool same_side;      ///< Whether the word begins and ends with a left turn.
+  double least, most;  ///< Distances of the centres where it can be shortest.
   bool has_line;
   End first_end, last_end;
-  int last_turn;  ///< which way the last arc turns the vehicle: 1 counter-clockwise
+  int last_turn;  ///< Rotation of the vehicle on the last arc: 1 counter-clockwise, -1 clockwise.
 };
 
 [[nodiscard]] const Shape& shape_of(LeftWord left_word);
 
-/// One of the 48 words: a left word looked at with the signs of x, y and turn changed.
+/// One of the 48 words: a left word and the signs applied to x, y and turn.
 struct Word {
   LeftWord left_word;
   int x, y, turn;
@@ -88,31 +90,31 @@ struct Word {
 
 [[nodiscard]] std::vector<Word> list_words();
 
-/// What a left word looks at, after the signs were changed.
+/// Box as a left word sees it, after the word's changes of sign.
 struct View {
   const CirclePair* circles;
   Interval direction;
   Interval half_turn;
-  int handed;  ///< -1 when left and right were exchanged in the plane
+  int handed;  ///< -1 when the signs exchange left and right in the plane, else 1.
 };
 
-/// Which of `Polar::circles` a word looks at.
+/// Index of the pair in `Polar::circles` that a word uses.
 [[nodiscard]] std::size_t circles_of(const Word& word);
 
 [[nodiscard]] View view_of(const Polar& box, const Word& word);
 
-/// A word over a box.
+/// Lengths of a word's pieces over a box [turning radii].
 struct Pieces {
-  Interval tilt;                          ///< of the costate, from the direction of the centres
-  Interval first, last;                   ///< outer arcs
-  Interval middle;                        ///< an arc between them, of words without a line
-  Interval rest;                          ///< everything between the outer arcs
-  double longest = std::numbers::pi / 2;  ///< what an outer arc of a shortest path can be
-  bool everywhere = true;                 ///< the formula is smooth in the whole box
+  Interval tilt;         ///< Angle of the costate from the direction of the centres [rad].
+  Interval first, last;  ///< Outer arcs.
+  Interval middle;       ///< Arc between the outer arcs, of words without a line.
+  Interval rest;         ///< Sum of all pieces between the outer arcs.
+  double longest = std::numbers::pi / 2;  ///< Longest outer arc of a shortest path.
+  bool everywhere = true;                 ///< Whether the formula is smooth in the whole box.
 
   [[nodiscard]] Interval length() const { return first + rest + last; }
-  /// No path of this word that is shortest in a pair of the box is shorter, rounding of three
-  /// pieces apart.
+  /// Lower bound on the length of this word where it is shortest in the box, up to the rounding
+  /// error of three pieces.
   [[nodiscard]] double least() const {
     return std::max(first.low, 0.0) + rest.low + std::max(last.low, 0.0);
   }
@@ -124,8 +126,8 @@ struct Pieces {
   }
 };
 
-/// The left word over a box; none if no path of it is shortest anywhere in the box for want of
-/// circles.
+/// Pieces of a left word over a box. Empty if the distance of the centres, or the arc between the
+/// outer arcs, shows that the word is shortest nowhere in the box.
 [[nodiscard]] std::optional<Pieces> pieces_of(const Polar& box, LeftWord left_word,
                                               const View& view);
 

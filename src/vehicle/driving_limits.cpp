@@ -10,7 +10,8 @@
 namespace vandplan {
 namespace {
 
-/// What a limit may be: far beyond vehicles on either side, and such that no time overflows.
+/// Range of every limit, in the unit of the limit: far beyond vehicles at both ends, and such that
+/// no time overflows.
 constexpr double least = 1e-3;
 constexpr double most = 1e3;
 

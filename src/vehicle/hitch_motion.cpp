@@ -13,8 +13,8 @@
 namespace vandplan::vehicle {
 namespace {
 
-/// A matrix [[stretch, shear + turn], [shear - turn, -stretch]]: what the vector (sin, cos) of half
-/// the hitch angle goes through while one drives (2).
+/// The matrix M s of (2), [[stretch, shear + turn], [shear - turn, -stretch]]. It generates the
+/// motion of the vector (sin, cos) of half the hitch angle while the rig drives s metres.
 struct Generator {
   double stretch = 0.0;
   double shear = 0.0;
@@ -33,18 +33,18 @@ Generator commutator(const Generator& a, const Generator& b) {
           2 * (a.stretch * b.shear - a.shear * b.stretch)};
 }
 
-/// Of `driven` metres, negative in reverse, at one curvature.
+/// The generator of `driven` metres, negative in reverse, at one curvature.
 Generator generator(const Coupling& coupling, double curvature, double driven) {
   const double turn = driven * curvature / 2;
   return {-driven / (2 * coupling.wheelbase), -turn * coupling.hitch / coupling.wheelbase, turn};
 }
 
-/// z of (4).
+/// The number z of (4).
 double determinant(const Generator& g) {
   return g.stretch * g.stretch + (g.shear - g.turn) * (g.shear + g.turn);
 }
 
-/// Sine and cosine of half the hitch angle, times any length.
+/// Sine and cosine of half the hitch angle, times any factor.
 struct HalfAngle {
   double sin, cos;
 };
@@ -54,16 +54,16 @@ HalfAngle half_of(double angle) {
   return {sin, cos};
 }
 
-/// What a short way makes of it: linear, so that no angle is needed on the way.
+/// The half angle after a short way. The map is linear, so that no angle is needed on the way.
 HalfAngle moved(const Generator& g, const HalfAngle& v) {
-  const double z = determinant(g);  // small, so that a few terms of (4) are all that count
+  const double z = determinant(g);  // small, so that a few terms of (4) are enough
   const double even = 1 + z * (1.0 / 2 + z * (1.0 / 24 + z * (1.0 / 720 + z * (1.0 / 40320))));
   const double ratio = 1 + z * (1.0 / 6 + z * (1.0 / 120 + z * (1.0 / 5040 + z * (1.0 / 362880))));
   return {even * v.sin + ratio * (g.stretch * v.sin + (g.shear + g.turn) * v.cos),
           even * v.cos + ratio * ((g.shear - g.turn) * v.sin - g.stretch * v.cos)};
 }
 
-/// From one angle to another that is less than half a turn away [rad].
+/// Change from one hitch angle to another, less than half a turn [rad].
 double change_between(const HalfAngle& from, const HalfAngle& to) {
   return 2 *
          base::atan_2(to.sin * from.cos - to.cos * from.sin, to.cos * from.cos + to.sin * from.sin);
@@ -81,7 +81,7 @@ class Steps {
     const double turning = size * (1.0 / coupling.wheelbase + sharpest * lever);
     const double bending = size * std::sqrt(std::abs(segment.curvature_rate) * lever);
     constexpr double fineness = 1.0 / 16;
-    constexpr double most = 65536.0;  // whatever the numbers
+    constexpr double most = 65536.0;  // limit of the work, whatever the numbers
     const double wanted = std::ceil(std::max(turning, bending) / fineness);
     count_ = static_cast<int>(wanted < most ? std::max(wanted, 1.0) : most);
     step_ = size / count_;
@@ -90,7 +90,7 @@ class Steps {
   [[nodiscard]] int count() const { return count_; }
   [[nodiscard]] double step() const { return step_; }
 
-  /// What driving `size` metres from the beginning of step `i` does to the angle.
+  /// Generator of the first `size` metres of step `i`, by (5).
   [[nodiscard]] Generator part(int i, double size) const {
     const double middle = i * step_ + size / 2;
     const Generator mean = generator(coupling_, curvature_at(segment_, middle), gear_ * size);
@@ -101,7 +101,7 @@ class Steps {
     return mean + 1.0 / 240 * commutator(-20.0 * mean + first, bend + second);
   }
 
-  /// Whether the angle grows `driven` metres from the start.
+  /// Whether the hitch angle grows at the place `driven` metres from the start.
   [[nodiscard]] bool is_growing(double driven, const HalfAngle& v) const {
     const double k = curvature_at(segment_, driven);
     const double lever = coupling_.hitch * k;
@@ -118,8 +118,8 @@ class Steps {
   double step_ = 0.0;
 };
 
-/// Where the rate of the angle changes sign within step `i`. There it hardly changes, so that
-/// halving twenty times is exact enough.
+/// Half angle at the place within step `i` where the rate of the angle changes sign. The angle
+/// hardly changes there, so that halving twenty times is exact enough.
 HalfAngle turning_point(const Steps& steps, int i, const HalfAngle& first) {
   const double begin = i * steps.step();
   const bool grows = steps.is_growing(begin, first);
@@ -133,7 +133,7 @@ HalfAngle turning_point(const Steps& steps, int i, const HalfAngle& first) {
   return moved(steps.part(i, low), first);
 }
 
-// Steps from one look at the angle to the next: it changes by half a radian and less.
+// Number of steps between two computed angles, which differ by half a radian at most.
 constexpr int steps_of_look = 8;
 
 }  // namespace
@@ -157,7 +157,7 @@ HitchAlongArc::HitchAlongArc(const Coupling& coupling, const Segment& arc) noexc
     const double e = base::exponential(-2 * root);
     ratio_ = (1 - e) / root;
     even_ = 1 + e;
-  } else if (z < -small) {  // none: the trailer turns round its hitch
+  } else if (z < -small) {  // no equilibrium: the trailer turns round its hitch
     const double root = std::sqrt(-z);
     const double halves = std::floor(root * std::numbers::inv_pi);
     const auto part = base::sin_cos(std::max(root - halves * std::numbers::pi, 0.0));
@@ -174,7 +174,7 @@ HitchAlongArc::HitchAlongArc(const Coupling& coupling, const Segment& arc) noexc
   }
 }
 
-/// (3).
+/// Formula (3).
 double HitchAlongArc::change(const base::SinCos& angle) const noexcept {
   const double across = stretch_ * angle.sin + shear_ * angle.cos + turn_;
   const double along = shear_ * angle.sin - stretch_ * angle.cos;

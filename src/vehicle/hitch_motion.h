@@ -11,16 +11,16 @@
 
 namespace vandplan::vehicle {
 
-/// What of a rig decides how its trailer follows [m].
+/// Lengths of a rig that decide how its trailer follows [m].
 struct Coupling {
   double hitch = 0.0;      ///< x of the hitch in the tractor's frame
-  double wheelbase = 1.0;  ///< of the trailer, from the hitch to its axle; > 0
+  double wheelbase = 1.0;  ///< distance from the hitch to the trailer's axle; > 0
 };
 
-/// Change of the hitch angle per metre driven forward with that curvature [rad/m].
+/// Change of a hitch angle per metre driven forward at a curvature [rad/m].
 [[nodiscard]] double hitch_rate(const Coupling& coupling, double angle, double curvature) noexcept;
 
-/// What an arc or a line does to hitch angles, worked out once for many of them.
+/// Change of hitch angles along an arc or a line, prepared once for many angles.
 class HitchAlongArc {
  public:
   HitchAlongArc(const Coupling& coupling, const Segment& arc) noexcept;
@@ -31,26 +31,27 @@ class HitchAlongArc {
  private:
   double stretch_, shear_, turn_;  // the matrix M of (2), times the length
   double ratio_, even_;            // S and C of (4), times any factor
-  double half_turns_;              // of half the angle, beyond what these tell [rad]
+  double half_turns_;              // multiple of pi in half of the change [rad]
 };
 
 /// Change of the hitch angle along a whole segment [rad], whole turns included.
 [[nodiscard]] double hitch_change(const Coupling& coupling, double angle,
                                   const Segment& segment) noexcept;
 
-/// The largest |hitch angle| on a segment that begins with that angle [rad].
+/// The largest |hitch angle| on a segment that begins with `angle` [rad].
 [[nodiscard]] double largest_hitch_angle(const Coupling& coupling, double angle,
                                          const Segment& segment) noexcept;
 
-/// A trailer as if it drove by itself, whatever its tractor does: what bounds are made of.
+/// Limits of a trailer's motion whatever its tractor does, from which bounds are made.
 struct TrailerAlone {
-  double most_angle;  ///< between the way of the hitch and the trailer [rad]; while it is below
-                      ///< pi/2, the axle drives in the gear of the tractor
-  double radius;      ///< that its axle never turns below then [m]
-  double most_way;    ///< of its axle, for each metre of the tractor
+  /// Largest angle between the motion of the hitch and the trailer [rad]. If it is below pi/2, the
+  /// axle drives in the gear of the tractor.
+  double most_angle;
+  double radius;    ///< least turning radius of the axle if `most_angle` is below pi/2 [m]
+  double most_way;  ///< largest way of the axle per metre of the tractor
 };
 
-/// Of a vehicle with a trailer.
+/// Limits of the trailer of a vehicle, which must have one.
 [[nodiscard]] TrailerAlone trailer_alone(const Vehicle& vehicle) noexcept;
 
 }  // namespace vandplan::vehicle

@@ -13,7 +13,7 @@
 namespace vandplan {
 namespace {
 
-/// The least rectangle around it that is as wide to the left as to the right.
+/// The smallest footprint around an outline; it is as wide to the left as to the right.
 Footprint footprint_around(const Polygon& outline) noexcept {
   const Bounds box = bounding_box(outline);
   return {.rear = -box.x_min,
@@ -21,7 +21,7 @@ Footprint footprint_around(const Polygon& outline) noexcept {
           .half_width = std::max(std::abs(box.y_min), std::abs(box.y_max))};
 }
 
-/// An outline that is given, or the corners of the footprint.
+/// The outline, counter-clockwise, if it is not empty; otherwise the corners of the footprint.
 Polygon outline_or_corners(const Polygon& outline, const Footprint& footprint) {
   if (!outline.empty()) return geometry::counter_clockwise(outline);
   const std::array<Point, 4> rectangle = corners(footprint, {});

@@ -13,7 +13,7 @@
 namespace vandplan::python {
 namespace {
 
-// An array of poses is looked at as it lies in memory.
+// Layout of poses in memory, which lets an array of poses be used without a copy.
 static_assert(std::is_standard_layout_v<Pose> && sizeof(Pose) == 3 * sizeof(double));
 static_assert(offsetof(Pose, x) == 0 && offsetof(Pose, y) == sizeof(double) &&
               offsetof(Pose, heading) == 2 * sizeof(double));
@@ -33,7 +33,7 @@ std::span<const py::ssize_t> shape_of(const py::array& array) {
 
 std::string type_name(const py::handle& given) { return Py_TYPE(given.ptr())->tp_name; }
 
-/// Rows of `width` numbers.
+/// Array whose last axis has `width` numbers.
 Numbers rows_from(const py::handle& given, py::ssize_t width, const std::string& where,
                   const char* expected) {
   Numbers numbers = Numbers::ensure(given);
@@ -93,7 +93,7 @@ void warn_of_degrees(std::span<const Pose> poses, const std::string& where) {
     if (doubt.empty()) continue;
     const std::string number = poses.size() == 1 ? "" : "[" + std::to_string(i) + "]";
     warn(where + number + ".heading: " + doubt);
-    return;  // the others will be likewise
+    return;  // One warning is enough.
   }
 }
 
@@ -166,7 +166,7 @@ std::vector<py::ssize_t> shape_of_pairs(const Poses& from, const Poses& to) {
 
 namespace {
 
-/// How far to go on in poses for a step along each axis of the pairs: 0 along those it has not.
+/// Steps in poses along each axis of the pairs; 0 along axes that are broadcast.
 std::vector<std::size_t> strides_in(std::span<const py::ssize_t> given, std::size_t axes) {
   std::vector<std::size_t> strides(axes, 0);
   std::size_t stride = 1;
@@ -184,7 +184,7 @@ void for_pairs(const Poses& from, const Poses& to, std::span<const py::ssize_t> 
   std::size_t total = 1;
   for (const py::ssize_t size : shape) total *= static_cast<std::size_t>(size);
   if (total == 0) return;
-  // Most calls: one run.
+  // Most calls need a single run.
   const std::size_t from_size = from.view().size();
   const std::size_t to_size = to.view().size();
   if ((from_size == 1 || from_size == total) && (to_size == 1 || to_size == total)) {

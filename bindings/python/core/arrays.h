@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How do arrays of Python become poses, polygons and numbers, and these arrays?
+// How do Python arrays become poses, polygons and numbers, and back?
 //
-// What lies in memory as we need it is looked at where it is; everything else is copied once.
+// Contiguous float64 arrays are not copied; everything else is copied once.
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -23,69 +23,71 @@ namespace vandplan::python {
 
 namespace py = pybind11;
 
-/// Numbers in order, without gaps.
+/// Array of numbers in row-major order without gaps.
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// Poses that somebody gave: an array whose last axis is [x, y, heading], or what numpy makes one
-/// of. One pose from a list or tuple of three numbers is read without numpy.
+/// Poses from Python: an array whose last axis is [x, y, heading], or anything numpy converts to
+/// one. A list or tuple of three numbers is read without numpy.
 class Poses {
  public:
-  /// Throws InputError naming `where` if it is no such array.
+  /// Throws InputError naming `where` if `given` is no such array.
   Poses(const py::handle& given, const char* where);
   Poses(const Poses&) = delete;
   Poses& operator=(const Poses&) = delete;
 
   [[nodiscard]] std::span<const Pose> view() const noexcept { return view_; }
-  /// The axes but the last: none for one pose.
+  /// All axes except the last; empty for one pose.
   [[nodiscard]] std::span<const py::ssize_t> shape() const noexcept { return shape_; }
 
  private:
   bool read_one(const py::handle& given);
 
   Pose one_ = {};
-  py::object array_;  // keeps what is looked at
+  py::object array_;  // Keeps the memory of `view_` alive.
   std::span<const Pose> view_;
   std::span<const py::ssize_t> shape_;
 };
 
-/// One pose. Throws InputError naming `where` if it is none.
+/// One pose. Throws InputError naming `where` if it is not exactly one.
 [[nodiscard]] Pose pose_from(const py::handle& given, const char* where);
 
-/// Warns in Python, UserWarning, of the first heading that is likely meant in degrees. `where`
-/// names the poses: "start.heading", of several "starts[3].heading".
+/// Issues a Python UserWarning for the first heading that looks like degrees. `where` names the
+/// poses: "start" becomes "start.heading", or "starts[3].heading" among several.
 void warn_of_degrees(std::span<const Pose> poses, const std::string& where);
 
-/// Warns in Python, UserWarning, where the caller of this package is.
+/// Issues a Python UserWarning at the caller's line.
 void warn(const std::string& message);
 
-/// The corners of a polygon, an (N, 2) array.
+/// Polygon from an (N, 2) array of corners. Throws InputError naming `where`.
 [[nodiscard]] Polygon polygon_from(const py::handle& given, const std::string& where);
 
-/// Numbers in an array of any shape. Throws InputError naming `where` if they are none.
+/// Numbers from an array of any shape. Throws InputError naming `where` if they are none.
 [[nodiscard]] Numbers numbers_from(const py::handle& given, const char* where);
 
 [[nodiscard]] py::array_t<double> array_of(const Pose& pose);
 [[nodiscard]] py::array_t<double> array_of(std::span<const Pose> poses);
 [[nodiscard]] py::array_t<double> array_of(std::span<const Point> points);
-/// A row [curvature, length, curvature_rate] for each segment.
+/// Array with a row [curvature, length, curvature_rate] for each segment.
 [[nodiscard]] py::array_t<double> array_of(std::span<const Segment> segments);
 
-/// An array of these axes and, if it is not 0, a last one of that many numbers.
+/// Uninitialised array with the axes `shape` and, unless `last` is 0, a last axis of that size.
 [[nodiscard]] py::array_t<double> empty_array(std::span<const py::ssize_t> shape, int last = 0);
 
-/// A number for each pair of poses: `from` and `to` are one pose or as many as `out`.
+/// Computes numbers for pairs of poses from number `first` on. `from` and `to` hold one pose for
+/// all pairs, or one for each pair.
 using PairLoop =
     std::function<void(std::span<const Pose> from, std::span<const Pose> to, std::size_t first)>;
 
-/// The axes of pairs of poses, by numpy's rules. Throws InputError if they do not fit.
+/// Shape of the pairs of two arrays of poses by numpy's broadcasting rules. Throws InputError if
+/// they do not fit.
 [[nodiscard]] std::vector<py::ssize_t> shape_of_pairs(const Poses& from, const Poses& to);
 
-/// Calls `loop` for runs of pairs that together are all, `first` being the number of the first pair
-/// in the order of the array; without Python's lock if there are many.
+/// Calls `loop` for runs of pairs until all are covered; `first` is the index of a run's first pair
+/// in row-major order. Releases Python's lock if there are many.
 void for_pairs(const Poses& from, const Poses& to, std::span<const py::ssize_t> shape,
                const PairLoop& loop);
 
-/// `work`, without Python's lock unless it is over in a moment.
+/// Calls `work`, without Python's lock if `size` is large.
 template <typename Work>
 void unlocked(std::size_t size, Work work) {
   if (size < 64) {
@@ -96,14 +98,14 @@ void unlocked(std::size_t size, Work work) {
   work();
 }
 
-/// Throws InputError unless the number is finite and above 0.
+/// Throws InputError naming `where` unless the number is finite and above 0.
 void expect_positive(double value, const char* where);
 
 }  // namespace vandplan::python
 
 namespace pybind11::detail {
 
-/// A pose is an array [x, y, heading].
+/// Conversion of a pose to and from an array [x, y, heading].
 template <>
 struct type_caster<vandplan::Pose> {
   PYBIND11_TYPE_CASTER(vandplan::Pose, const_name("pose"));
@@ -116,7 +118,7 @@ struct type_caster<vandplan::Pose> {
   }
 };
 
-/// A place on a path is a dict of s, pose, curvature and direction.
+/// Conversion of a place on a path to and from a dict of s, pose, curvature and direction.
 template <>
 struct type_caster<vandplan::PathPoint> {
   PYBIND11_TYPE_CASTER(vandplan::PathPoint, const_name("place"));
@@ -135,7 +137,7 @@ struct type_caster<vandplan::PathPoint> {
   }
 };
 
-/// What is hit is a dict of what, and of index or cell where there is one.
+/// Conversion of a hit object to and from a dict of what, and index or cell if there is one.
 template <>
 struct type_caster<vandplan::Hit> {
   PYBIND11_TYPE_CASTER(vandplan::Hit, const_name("hit"));

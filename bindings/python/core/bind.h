@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Of which parts is the module made? Each adds its own to it.
+// Which parts does the module consist of? Each function adds one.
 
 #include <pybind11/pybind11.h>
 
@@ -24,7 +24,7 @@ void bind_driving(pybind11::module_& module);
 void bind_live(pybind11::module_& module);
 void bind_evaluation(pybind11::module_& module);
 
-/// Makes signatures of the heads of all docstrings; called last.
+/// Rewrites the first lines of all docstrings as signatures. Must be called last.
 void sign_all(pybind11::module_& module);
 
 }  // namespace vandplan::python

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// The judge.
+// Python functions and classes of the judge.
 
 #include "bindings/python/core/check.h"
 
@@ -32,7 +32,7 @@ Verdict with_drive(PathCheck path, const DriveCheck& drive, const char* times) {
   return verdict;
 }
 
-/// The times that were handed over; none with a bare path.
+/// Drive of the object that is checked; empty for a path without times.
 std::optional<PathDrive> drive_from(const py::handle& given) {
   if (py::isinstance<PathDrive>(given)) return given.cast<PathDrive>();
   if (py::isinstance<RunResult>(given)) return planned_drive(given.cast<const RunResult&>());
@@ -78,15 +78,16 @@ std::string verdict_text(const Verdict& self) {
 void bind_drive_check(py::module_& module) {
   ValueClass<DriveCheck> drive(module, "DriveCheck",
                                R"(The judge's verdict on the times of a drive; true if valid.)");
-  drive.field("valid", &DriveCheck::valid, "Whether nothing is wrong.")
-      .field("reason", &DriveCheck::reason, "The first thing found wrong; or empty.")
-      .field("t", &DriveCheck::t, "When it is wrong [s]; or None.")
-      .field("at", &DriveCheck::at, "Where the vehicle is then, as in `PathCheck.at`; or None.")
+  drive.field("valid", &DriveCheck::valid, "Whether the judge found no fault.")
+      .field("reason", &DriveCheck::reason, "First fault; empty if valid.")
+      .field("t", &DriveCheck::t, "Time of the fault [s]; None without one.")
+      .field("at", &DriveCheck::at,
+             "Place of the vehicle at the fault, as in `PathCheck.at`; None without one.")
       .field("duration", &DriveCheck::duration, "Duration of the drive [s].")
       .field("clearance", &DriveCheck::clearance,
-             R"(Least distance from anything that moves, on the way or ever after [m].
+             R"(Least distance from moving obstacles, during the drive and after it [m].
 
-Infinite if nothing moves; None if the times were found wrong before.)");
+Infinite without moving obstacles; None if a fault was found before.)");
   drive.pickled()
       .def("__bool__", [](const DriveCheck& self) { return self.valid; })
       .def("__repr__", [](const DriveCheck& self) {
@@ -98,34 +99,36 @@ Infinite if nothing moves; None if the times were found wrong before.)");
 void bind_path_check(py::module_& module) {
   ValueClass<Verdict> check(
       module, "PathCheck",
-      R"(The judge's verdict on a path and, where something moves, on its times; true if valid.)");
-  check.field("valid", &Verdict::valid, "Whether nothing is wrong.")
-      .field("reason", &Verdict::reason, "The first thing found wrong; or empty.")
+      R"(The judge's verdict on a path, and on its times if there are any; true if valid.)");
+  check.field("valid", &Verdict::valid, "Whether the judge found no fault.")
+      .field("reason", &Verdict::reason, "First fault; empty if valid.")
       .field("at", &Verdict::at,
-             "Where it is wrong: a dict of s, pose, curvature and direction; or None.")
-      .field("hit", &Verdict::hit,
-             R"(What is hit or left, if that is what is wrong: a dict; or None.
+             "Place of the fault: a dict of s [m], pose, curvature [1/m] and direction; or None.")
+      .field(
+          "hit", &Verdict::hit,
+          R"(Object that is hit, or area that is left, if that is the fault: a dict; otherwise None.
 
-"what" is the key of the scenario: "obstacles", "kerbs", "inside" (then "index" is its number), "map"
-or "bounds".)")
+"what" is a key of the scenario: "obstacles", "kerbs", "inside" (each with its number as "index"),
+"map" or "bounds".)")
       .field("goal", &Verdict::goal,
-             "The goal that the path ends at, a `ReachedGoal`; None without a set of goals.")
+             "Goal of a set that the path ends at, a `ReachedGoal`; None without a set of goals.")
       .field("length", &Verdict::length, "Driven distance [m].")
       .field("reverse_length", &Verdict::reverse_length, "Distance driven in reverse [m].")
-      .field("gear_changes", &Verdict::gear_changes, "How often the direction changes.")
+      .field("gear_changes", &Verdict::gear_changes, "Number of gear changes.")
       .field("largest_hitch_angle", &Verdict::largest_hitch_angle,
-             "Largest angle between vehicle and trailer, absolute [rad]; 0 without a trailer.")
+             "Largest absolute hitch angle [rad]; 0 without a trailer.")
       .field("curvature_change", &Verdict::curvature_change,
              "Total variation of the curvature [1/m].")
       .field("clearance", &Verdict::clearance, R"(Least distance from an obstacle [m].
 
-Infinite without obstacles; None if something was wrong before.)")
+Infinite without obstacles; None if a fault was found before.)")
       .field("drive", &Verdict::drive,
-             "The verdict on the times, a `DriveCheck`; None where nothing moves.")
-      .field("times", &Verdict::times, R"(Which times were judged where something moves.
+             "Verdict on the times, a `DriveCheck`; None if no times were judged.")
+      .field("times", &Verdict::times,
+             R"(Times that were judged: "planned", "fastest", or empty if none were judged.
 
-"planned": those that came with the path. "fastest": the path has none, so it was driven as fast as
-the vehicle may. Empty where nothing moves.)");
+"planned": those that came with the path. "fastest": the path came without times, and obstacles
+move; the judge took those of the fastest drive.)");
   check.pickled()
       .def("__bool__", [](const Verdict& self) { return self.valid; })
       .def("__repr__", &verdict_text);
@@ -147,10 +150,16 @@ void bind_check(py::module_& module) {
       "margin_ramp"_a = 0.0, "steering"_a = "reeds-shepp", "gears"_a = "both",
       R"(check(scenario, path, *, margin=0, margin_ramp=0, steering="reeds-shepp", gears="both") -> PathCheck
 
-Lets the independent judge look at a `Path` or a `SpeedProfile`, which has to keep the margin,
-steer and be driven in gears as is said, or at a `Result`, which is held to its own options, cost, bound and times. Where
-something moves the times are judged, too. A bare `Path` has none: it is driven as fast as the
-vehicle may, and the verdict says so.)");
+Checks a path with the independent judge.
+
+`path` is one of:
+
+- a `Path` or `SpeedProfile`. It must keep the `margin` [m], relaxed over `margin_ramp` [m] near a
+  start or goal with less clearance. It must obey `steering` and `gears`.
+- a `Result`. It must obey its own options, cost and bound; the keywords are ignored.
+
+Times are judged too, if they come with the path or if obstacles move. A `Path` without times among
+moving obstacles is judged as the fastest drive; `PathCheck.times` says so.)");
 }
 
 }  // namespace vandplan::python

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What does the judge say in Python?
+// How does Python see the judge's verdict?
 
 #include <optional>
 #include <string>
@@ -12,14 +12,14 @@
 
 namespace vandplan::python {
 
-/// The judge's verdict on a path and, where something moves, on its times. Python calls it
-/// PathCheck. `valid`, `reason` and `at` are those of both.
+/// Verdict of the judge on a path and, among moving obstacles, on its times; `PathCheck` in Python.
+/// `valid`, `reason` and `at` cover both.
 struct Verdict : PathCheck {
   std::optional<DriveCheck> drive = {};
-  std::string times = {};  ///< "planned", "fastest", or empty where nothing moves
+  std::string times = {};  ///< "planned" or "fastest"; empty without moving obstacles.
 };
 
-/// What the judge found of a path that was planned.
+/// Verdict on a planned path; empty if the judge was not called.
 [[nodiscard]] std::optional<Verdict> verdict_of(const PlanResult& result);
 
 }  // namespace vandplan::python

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What is a drive in Python?
+// How does Python see a drive?
 
 #include <pybind11/pybind11.h>
 
@@ -13,20 +13,20 @@
 
 namespace vandplan::python {
 
-/// A drive: speeds with the path and the vehicle that they belong to. Python calls it SpeedProfile.
+/// Drive: speeds with their path and vehicle; `SpeedProfile` in Python.
 struct PathDrive {
   Path path;
   Vehicle vehicle;
   SpeedProfile profile;
-  double start_speed = 0.0;  ///< with which the drive begins [m/s]
+  double start_speed = 0.0;  ///< Speed at the begin of the drive [m/s].
 
   [[nodiscard]] TimedPath timed() const { return {path, profile}; }
 };
 
-/// The drive that a result was planned with; none if its times are free.
+/// Drive that a result was planned with; empty if the planner left the times open.
 [[nodiscard]] std::optional<PathDrive> planned_drive(const RunResult& result);
 
-/// The numbers of speeds, and speeds of such numbers.
+/// Numbers of a speed profile for pickle, and the profile of such numbers.
 [[nodiscard]] pybind11::tuple profile_state(const SpeedProfile& profile);
 [[nodiscard]] SpeedProfile profile_from(const pybind11::handle& state);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// A vehicle that drives a path: simulated, or without looking.
+// Simulated drives along a path, with controller or without feedback.
 
 #include "bindings/python/core/driving.h"
 
@@ -70,68 +70,73 @@ py::list controllers_list() {
 }
 
 void bind_parts(py::module_& module) {
-  ValueClass<Contact> contact(module, "Contact",
-                              R"(The moment when a vehicle touches something first.)");
+  ValueClass<Contact> contact(
+      module, "Contact",
+      R"(First moment when a driven vehicle touches an obstacle or its rig folds up.)");
   contact.field("t", &Contact::t, "Time since the start [s].")
       .field("s", &Contact::s, "Distance along the planned path [m].")
-      .field("pose", &Contact::pose, "Pose of the vehicle.")
+      .field("pose", &Contact::pose, "Pose [x, y, heading] of the vehicle.")
       .field("what", &Contact::what, "What happens: \"the footprint hits obstacles[3]\".");
   contact.pickled().def("__repr__", [](const Contact& self) {
     return fmt::format("<vandplan.Contact: {} at t = {:.2f} s>", self.what, self.t);
   });
   ValueClass<TrailerDeviation> trailer(
       module, "TrailerDeviation",
-      R"(How far a trailer is from where it would be behind a tractor that is on the path.)");
+      R"(Deviation of a trailer from its place behind a tractor that is exactly on the path.)");
   trailer
       .field("largest_lateral", &TrailerDeviation::largest_lateral,
-             "Largest distance of its axle's midpoint across its heading [m].")
+             "Largest sideways distance of the midpoint of the trailer's axle [m].")
       .field("rms_lateral", &TrailerDeviation::rms_lateral,
-             "Root of the mean square of that distance [m].")
+             "Root mean square of the sideways distance of the trailer's axle [m].")
       .field("end_distance", &TrailerDeviation::end_distance,
-             "Distance of its axle's midpoint from where it should end [m].")
+             "Distance of the midpoint of the trailer's axle from its planned end [m].")
       .field("end_heading", &TrailerDeviation::end_heading,
-             "Difference of the heading there, without sign [rad].")
+             "Absolute difference of the trailer's heading at the end [rad].")
       .field("hitch_deviation", &TrailerDeviation::hitch_deviation,
-             "How much further the rig folded up than on the path [rad].");
+             "How much larger the hitch angle became than on the path [rad].");
   trailer.pickled();
 }
 
 void bind_drive_result(py::module_& module) {
-  ValueClass<DriveResult> drive(module, "DriveResult",
-                                R"(What came of a drive; true if it arrived without contact.)");
-  drive.field("has_arrived", &DriveResult::has_arrived, "Whether it stands at the end of the path.")
+  ValueClass<DriveResult> drive(
+      module, "DriveResult",
+      R"(Result of a simulated drive; true if the vehicle arrived without contact.)");
+  drive
+      .field("has_arrived", &DriveResult::has_arrived, "Whether it stopped at the end of the path.")
       .field("duration", &DriveResult::duration, "Duration of the drive [s].")
       .field("planned_duration", &DriveResult::planned_duration,
-             "Duration of the fastest drive that leaves the reserve [s].")
+             "Duration of the fastest drive with limits less the reserve [s].")
       .field("largest_lateral", &DriveResult::largest_lateral,
              "Largest distance of the rear axle from the path [m].")
       .field("rms_lateral", &DriveResult::rms_lateral,
-             "Root of the mean square of that distance [m].")
+             "Root mean square of the distance of the rear axle from the path [m].")
       .field("largest_heading", &DriveResult::largest_heading,
-             "Largest difference of the headings [rad].")
+             "Largest difference from the heading of the path [rad].")
       .field("rms_heading", &DriveResult::rms_heading,
-             "Root of the mean square of that difference [rad].")
+             "Root mean square of the difference from the heading of the path [rad].")
       .field("end_distance", &DriveResult::end_distance,
              "Distance of the rear axle from the end of the path [m].")
       .field("end_heading", &DriveResult::end_heading,
-             "Difference of the heading there, without sign [rad].")
-      .field("trailer", &DriveResult::trailer, "A `TrailerDeviation`; None without a trailer.")
-      .field("outline_deviation", &DriveResult::outline_deviation, R"(Which margin is enough [m].
+             "Absolute difference of the heading at the end of the path [rad].")
+      .field("trailer", &DriveResult::trailer,
+             "Deviation of the trailer, a `TrailerDeviation`; None without a trailer.")
+      .field("outline_deviation", &DriveResult::outline_deviation,
+             R"(Largest distance of the outline beyond its place on the path [m].
 
-How far the outline was beyond where it would be on the path.)")
+A path with a margin of at least that is driven without contact.)")
       .field("out_of_bounds", &DriveResult::out_of_bounds,
-             "How far the rear axle was outside of the bounds [m].")
+             "Largest distance of the rear axle outside the bounds [m].")
       .field("clearance", &DriveResult::clearance,
-             "Least distance from anything [m]; infinite without obstacles.")
+             "Least distance from an obstacle [m]; infinite without obstacles.")
       .field("contact", &DriveResult::contact, "The first `Contact`, or None.")
       .part([](const DriveResult& self) { return log_table(self.log); },
             [](DriveResult& self, const py::handle& table) { self.log = log_from(table); });
   drive.pickled()
       .def_property_readonly(
           "log", [](const DriveResult& self) { return log_columns(self.log); },
-          R"(Columns of the drive every 0.02 s, if they were asked for with keep_log=True.
+          R"(Motion every 0.02 s as a dict of arrays; the arrays are empty without keep_log=True.
 
-t [s], s [m], x, y, heading, direction, v [m/s], steering_angle and wanted_steering [rad],
+Keys: t [s], s [m], x, y, heading, direction, v [m/s], steering_angle and wanted_steering [rad],
 wanted_acceleration [m/s^2], lateral_error [m], heading_error and hitch_angle [rad].)")
       .def("__bool__", [](const DriveResult& self) { return self.has_arrived && !self.contact; })
       .def("__repr__", [](const DriveResult& self) {
@@ -143,26 +148,26 @@ wanted_acceleration [m/s^2], lateral_error [m], heading_error and hitch_angle [r
 }
 
 void bind_executable(py::module_& module) {
-  ValueClass<Execution> execution(module, "Execution",
-                                  R"(How a path is driven without looking; true if it passes.)");
+  ValueClass<Execution> execution(
+      module, "Execution", R"(Result of driving a path without feedback; true if it passes.)");
   execution
       .field("passes", &Execution::passes,
-             "Whether it touches nothing and ends within 1 cm and 1 degree.")
-      .field("reason", &Execution::reason, "Why it does not pass; or empty.")
-      .field("duration", &Execution::duration, "Duration [s].")
+             "Whether the vehicle touches nothing and ends within 1 cm and 1 degree.")
+      .field("reason", &Execution::reason, "Why it does not pass; empty if it passes.")
+      .field("duration", &Execution::duration, "Duration of the drive [s].")
       .field("end_distance", &Execution::end_distance, "Distance from the end of the path [m].")
       .field("end_heading", &Execution::end_heading,
-             "Difference of the heading there, without sign [rad].");
+             "Absolute difference of the heading at the end of the path [rad].");
   execution.pickled().def("__bool__", [](const Execution& self) { return self.passes; });
   ValueClass<ExecutableCheck> check(module, "ExecutableCheck",
-                                    R"(Whether a path can be executed, driven in two ways.)");
+                                    R"(Two drives of one path without feedback.)");
   check
       .field("flowing", &ExecutableCheck::flowing,
-             "The `Execution` that stands at start, goal and gear changes only.")
+             "The `Execution` that stops only at start, goal and gear changes.")
       .field("pausing", &ExecutableCheck::pausing,
-             "The `Execution` that stands at jumps of the curvature, too.")
+             "The `Execution` that also stops at jumps of the curvature.")
       .field("jumps", &ExecutableCheck::jumps,
-             "Number of jumps of the curvature on the way, gear changes left out.");
+             "Number of curvature jumps on the way, without those at gear changes.");
   check.pickled();
 }
 
@@ -237,19 +242,30 @@ void bind_driving(py::module_& module) {
              R"(drive(scenario, path, *, controller="", noise=0.0, delay=0.0, reserve=0.1,
     spare_steering=0.0, seed=1, keep_log=False) -> DriveResult
 
-Simulates a vehicle that drives a `Path`, a `SpeedProfile` or the path of a `Result` from standing to
-standing, and looks at everything that it sweeps; it heeds nobody that moves. `controller` is one of
-`controllers()`, or empty. `noise` scales the errors of sensors and actuators, 0 to 10; `delay` is
-that from a measurement to what follows from it, 0 to 1 [s]. `reserve` is the share of the limits
-that is left for corrections, `spare_steering` the share by which the wheels turn further than
-min_turning_radius says; both 0 to 0.5. Repeats bit for bit.)");
+Simulates a vehicle that drives a path from standstill to standstill, and tests all that it sweeps.
+
+`path` is a `Path`, or a `SpeedProfile` or `Result` of which only the path is used. Moving obstacles
+are ignored. The result repeats bit for bit.
+
+- `controller`: one of `controllers()`; empty: "rear-axle-feedback", with a trailer "lqr".
+- `noise`: scale of the errors of sensors and actuators, 0 to 10.
+- `delay`: delay from a measurement to its effect [s], 0 to 1.
+- `reserve`: share of the limits that planned speeds leave for corrections, 0 to 0.5.
+- `spare_steering`: share by which the wheels turn further than min_turning_radius, 0 to 0.5.
+- `seed`: seed of the noise.
+- `keep_log`: fills `DriveResult.log`.
+
+Raises InputError naming a keyword that is wrong or unknown.)");
   module.def("executable", &execution_of, "scenario"_a, "path"_a,
              R"(executable(scenario, path) -> ExecutableCheck
 
-Whether a path can be driven without looking, by the criterion of CommonParking (2026).)");
+Drives a path without feedback, by the criterion of CommonParking (2026).
+
+`path` is a `Path`, or a `SpeedProfile` or `Result` of which only the path is used. The speed is
+that of the fastest drive; the wheels turn as fast as they can to where they should be.)");
   module.def("controllers", &controllers_list, R"(controllers() -> list of dict
 
-All controllers that `drive` knows: name, summary, drives_reverse and steers_trailer.)");
+All controllers of `drive`, each a dict of name, summary, drives_reverse and steers_trailer.)");
 }
 
 }  // namespace vandplan::python

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What do drives among others share with those alone, in Python?
+// What do simulated drives with and without replanning share in Python?
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -14,8 +14,8 @@
 
 namespace vandplan::python {
 
-/// Takes a keyword out of those that are left, if it is there; None leaves the default. Throws
-/// InputError naming it when it is of another type.
+/// Moves a keyword from `keywords` to `value`, if it is there; None keeps the default. Throws
+/// InputError naming the keyword if its type is wrong.
 template <typename Value>
 void take(pybind11::dict& keywords, const char* name, Value& value) {
   if (!keywords.contains(name)) return;
@@ -31,12 +31,14 @@ void take(pybind11::dict& keywords, const char* name, Value& value) {
 
 void take_drive_options(pybind11::dict& keywords, DriveOptions& options);
 
-/// Throws InputError naming a keyword that nobody took.
+/// Throws InputError naming a keyword that is left over.
 void expect_nothing_left(const pybind11::dict& keywords);
 
-/// A log as columns for users, and as a table for pickle.
+/// Log of a drive as columns for users: a dict of arrays.
 [[nodiscard]] pybind11::dict log_columns(const std::vector<DriveMoment>& log);
+/// Log of a drive as a table for pickle, with a row for each moment.
 [[nodiscard]] pybind11::array_t<double> log_table(const std::vector<DriveMoment>& log);
+/// Log of a drive from a table that `log_table` made.
 [[nodiscard]] std::vector<DriveMoment> log_from(const pybind11::handle& table);
 
 }  // namespace vandplan::python

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// Planners compared.
+// Comparison of planners.
 
 #include "vandplan/evaluation.h"
 
@@ -60,7 +60,7 @@ std::vector<evaluation::CampaignScenario> scenarios_from(const py::iterable& giv
   return scenarios;
 }
 
-/// A function of Python that is told how far a campaign is.
+/// Progress function that calls a Python function with the numbers of runs done and in total.
 std::function<void(const evaluation::Progress&)> report_to(const py::object& progress) {
   if (progress.is_none()) return {};
   return [&progress](const evaluation::Progress& now) {
@@ -100,14 +100,16 @@ Comparison compare(const py::iterable& scenarios, const py::iterable& planners,
 }  // namespace
 
 void bind_evaluation(py::module_& module) {
-  ValueClass<Comparison> comparison(module, "Comparison",
-                                    R"(What a comparison of planners has shown.)");
-  comparison.field("missing", &Comparison::missing, "How many runs were not done.")
-      .field("headline", &Comparison::headline, "The answer and its tables, as Markdown.")
-      .field("store", &Comparison::store, "File with every run (SQLite).")
-      .field("page", &Comparison::page, "File: one page for a browser.")
-      .field("text", &Comparison::text, "File: everything as Markdown.")
-      .field("gallery", &Comparison::gallery, "File: the best path of every scenario (PNG).")
+  ValueClass<Comparison> comparison(module, "Comparison", R"(Result of a comparison of planners.)");
+  comparison
+      .field("missing", &Comparison::missing,
+             "Number of runs that were not done, because the comparison was stopped.")
+      .field("headline", &Comparison::headline, "Summary and its tables, as Markdown.")
+      .field("store", &Comparison::store, "File with all runs (SQLite).")
+      .field("page", &Comparison::page, "File with the whole report, for a browser.")
+      .field("text", &Comparison::text, "File with the whole report, as Markdown.")
+      .field("gallery", &Comparison::gallery,
+             "File with a picture of the best path of each scenario (PNG).")
       .part(&Comparison::json);
   comparison.pickled()
       .def_property_readonly(
@@ -115,13 +117,13 @@ void bind_evaluation(py::module_& module) {
           [](const Comparison& self) {
             return py::module_::import("json").attr("loads")(self.json);
           },
-          "The figures of the headline as a dict.")
+          "Figures of the headline, a dict.")
       .def(
           "runs",
           [](const Comparison& self) {
             return py::module_::import("vandplan.stores").attr("read_store")(self.store);
           },
-          "runs() -> pandas.DataFrame\n\nA row for every run, as `read_store` gives it.")
+          "runs() -> pandas.DataFrame\n\nA row for each run, as `read_store` returns it.")
       .def("_repr_markdown_", [](const Comparison& self) { return self.headline; })
       .def("__repr__", [](const Comparison& self) {
         return fmt::format("<vandplan.Comparison in {}>", self.page);
@@ -134,10 +136,20 @@ void bind_evaluation(py::module_& module) {
              R"(compare(scenarios, planners, folder, *, repeats=5, repeats_per_goal=1, time=None,
     max_iterations=None, seed=1, regions=["bounds"], jobs=1, progress=None, **options) -> Comparison
 
-Runs every planner on every scenario with the same seeds, lets the judge look at every path, keeps
-every run in `folder`, and writes a report there; what the folder holds already is not run again.
-`planners` are names, words such as "thesis" or "all", values of `Planner`, or functions of a
-`Task`. `options` go to those that honour them. `progress(done, total)` is called now and then.)");
+Runs each planner on each scenario with equal seeds, and writes a report into `folder`.
+
+The judge checks every path. All runs are stored in `folder`; runs that the folder holds already are
+not repeated.
+
+- `planners`: names, words such as "thesis" or "all", `Planner` objects, or functions of a `Task`.
+- `repeats`: runs of a planner on each scenario.
+- `repeats_per_goal`: runs for each goal, in scenarios with a row of goals.
+- `time` [s], `max_iterations`: budget of a run.
+- `seed`: seed from which that of each run is derived.
+- `regions`: where planners draw samples, "bounds" or "scene".
+- `jobs`: number of runs at the same time.
+- `progress`: function that is called with the numbers of runs done and in total.
+- `options`: options of the planners that accept them.)");
 }
 
 }  // namespace vandplan::python

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// Goals that are more than a pose.
+// Goals with more than one pose.
 
 #include "bindings/python/core/goal.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 using namespace py::literals;
 
-/// A number, or a pair of them.
+/// Interval from a number or a pair of numbers.
 Interval interval_from(const py::object& given, const char* where) {
   const Numbers numbers = numbers_from(given, where);
   if (numbers.ndim() == 0) return {*numbers.data(), *numbers.data()};
@@ -102,25 +102,34 @@ void bind_region(py::module_& module) {
   py::class_<GoalRegion>(module, "GoalRegion", R"(GoalRegion(x=None, y=None, heading="any", *,
     area=None, either_way=False, curvature=0, hitch_angle=0, of_trailer=False)
 
-Poses where a path may end. `x` and `y` [m], `heading` [rad] and `hitch_angle` [rad] are a number or a
-pair: from the first to the second, headings counter-clockwise; `heading` may be "any". `area` is a
-simple polygon, (N, 2) [m], that replaces `x` and `y`. With `either_way` the headings turned by half a
-turn are goals, too. `curvature` is how far the wheels are turned there [1/m]. Place and heading are
-those of the midpoint of the rear axle, or of the axle of the trailer.)")
+Set of poses where a path may end: every place with every heading of the region.
+
+Numbers may be pairs (first, second), which stand for all values between them.
+
+- `x`, `y`: place of the midpoint of the rear axle [m].
+- `area`: simple polygon in place of `x` and `y` [m], shape (N, 2).
+- `heading`: heading [rad]; a pair runs counter-clockwise; "any": all headings.
+- `either_way`: whether headings turned by half a turn are goals too.
+- `curvature`: curvature that the wheels are turned to [1/m].
+- `hitch_angle`: heading of the vehicle less that of its trailer [rad].
+- `of_trailer`: whether place and heading are those of the trailer's axle.
+
+Raises InputError unless either `x` and `y` or `area` are given.)")
       .def(py::init(&made_region), "x"_a = py::none(), "y"_a = py::none(), "heading"_a = "any",
            py::kw_only(), "area"_a = py::none(), "either_way"_a = false, "curvature"_a = 0.0,
            "hitch_angle"_a = 0.0, "of_trailer"_a = false)
       .def_property_readonly(
           "x", [](const GoalRegion& self) { return place_of(self, self.x); },
-          "A number or a pair [m]; None with an area.")
+          "x of the axle, a number or a pair [m]; None with an area.")
       .def_property_readonly(
           "y", [](const GoalRegion& self) { return place_of(self, self.y); },
-          "A number or a pair [m]; None with an area.")
-      .def_property_readonly("heading", &heading_of, "A number, a pair or \"any\" [rad].")
-      .def_property_readonly("area", &area_of, "Corners [m], shape (N, 2); or None.")
+          "y of the axle, a number or a pair [m]; None with an area.")
+      .def_property_readonly("heading", &heading_of, "Heading, a number, a pair or \"any\" [rad].")
+      .def_property_readonly("area", &area_of, "Corners of the area [m], shape (N, 2); or None.")
       .def_readonly("either_way", &GoalRegion::either_way,
-                    "Whether the headings turned by half a turn are goals, too.")
-      .def_readonly("curvature", &GoalRegion::curvature, "How far the wheels are turned [1/m].")
+                    "Whether headings turned by half a turn are goals too.")
+      .def_readonly("curvature", &GoalRegion::curvature,
+                    "Curvature that the wheels are turned to [1/m].")
       .def_property_readonly(
           "hitch_angle",
           [](const GoalRegion& self) {
@@ -155,10 +164,9 @@ std::vector<GoalRegion> goal_set_from(const py::handle& given) {
 
 void bind_goal(py::module_& module) {
   bind_region(module);
-  ValueClass<ReachedGoal> reached(module, "ReachedGoal",
-                                  R"(The goal of a set that a path ends at.)");
-  reached.field("index", &ReachedGoal::index, "Which region of the set, from 0.")
-      .field("pose", &ReachedGoal::pose, "[x, y, heading] of the vehicle there.");
+  ValueClass<ReachedGoal> reached(module, "ReachedGoal", R"(Goal of a set that a path ends at.)");
+  reached.field("index", &ReachedGoal::index, "Index of the region in its set.")
+      .field("pose", &ReachedGoal::pose, "Pose [x, y, heading] of the vehicle.");
   reached.pickled()
       .def("__eq__",
            [](const ReachedGoal& self, const ReachedGoal& other) { return self == other; })

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What is a goal in Python?
+// How does Python see a goal?
 
 #include <pybind11/pybind11.h>
 
@@ -11,7 +11,7 @@
 
 namespace vandplan::python {
 
-/// The regions of a goal: a `GoalRegion` or a sequence of them. Empty for a pose.
+/// Regions of a goal that is a `GoalRegion` or a sequence of them. Empty if the goal is a pose.
 [[nodiscard]] std::vector<GoalRegion> goal_set_from(const pybind11::handle& given);
 
 }  // namespace vandplan::python

@@ -17,7 +17,7 @@ namespace vandplan::python {
 namespace {
 
 using namespace py::literals;
-using FileName = std::filesystem::path;  // from str and from os.PathLike
+using FileName = std::filesystem::path;  // Accepts str and os.PathLike.
 
 template <typename Number>
 std::shared_ptr<const std::vector<Cell>> cells_from(const py::array& array) {
@@ -84,28 +84,33 @@ void bind_grid(py::module_& module) {
       module, "OccupancyGrid",
       R"(OccupancyGrid(cells, resolution, origin=(0, 0, 0), unknown_is_free=False)
 
-A 2-D array of square cells with sides of `resolution` [m]: 0 or False is free, negative is unknown,
-everything else is an obstacle. cells[0, 0] has its corner at `origin`, a pose [x, y, heading];
-columns count along its heading, rows to the left, as in ROS. The rows of an image count downwards:
-cells[::-1] turns one over.)")
+Map of square cells with sides of `resolution` [m].
+
+`cells` is a 2-D array of bool or whole numbers. 0 or False is free, negative is unknown, everything
+else is an obstacle. `origin` is the pose [x, y, heading] of the corner of cells[0, 0]. Columns
+count along its heading, rows to the left, as in ROS. Rows of images count downwards: use
+cells[::-1].
+
+With `unknown_is_free` unknown cells and the ground outside the map are free, otherwise they are
+obstacles. Raises InputError naming "grid" or a key of it.)")
       .def(py::init(&grid_from), "cells"_a, "resolution"_a, "origin"_a = py::make_tuple(0, 0, 0),
            "unknown_is_free"_a = false)
       .def_property_readonly("cells", &cells_of,
-                             "0 free, 100 occupied, -1 unknown: a new array of int8.")
+                             "Cells as a new array of int8: 0 free, 100 occupied, -1 unknown.")
       .def_property_readonly(
           "shape",
           [](const OccupancyGrid& grid) { return py::make_tuple(grid.rows, grid.columns); },
-          "Rows and columns.")
+          "Numbers of rows and columns.")
       .def_readonly("resolution", &OccupancyGrid::resolution, "Side of a cell [m].")
       .def_property_readonly(
           "origin", [](const OccupancyGrid& grid) { return array_of(grid.origin); },
-          "Corner of cells[0, 0], and where columns count to: [x, y, heading].")
+          "Pose [x, y, heading] of the corner of cells[0, 0]; columns count along its heading.")
       .def_readonly("unknown_is_free", &OccupancyGrid::unknown_is_free,
-                    "Whether unknown cells, and all outside of the grid, are free.")
+                    "Whether unknown cells and the ground outside the map are free.")
       .def_property_readonly(
           "outline",
           [](const OccupancyGrid& grid) { return array_of(std::span<const Point>(outline(grid))); },
-          "Corners of the whole grid; shape (4, 2).")
+          "Corners of the map [m]; shape (4, 2).")
       .def(py::pickle(&grid_state, &grid_from_state))
       .def("__repr__", [](const OccupancyGrid& grid) {
         return fmt::format("<vandplan.OccupancyGrid: {} x {} cells of {} m>", grid.rows,
@@ -113,7 +118,7 @@ cells[::-1] turns one over.)")
       });
   module.def(
       "read_map", [](const FileName& file) { return read_map(file.string()); }, "file"_a,
-      "read_map(file) -> OccupancyGrid\n\nReads a map of ROS' map_server: its YAML file and "
+      "read_map(file) -> OccupancyGrid\n\nReads a map of ROS' map_server from its YAML file and "
       "the image that it names.");
 }
 

@@ -9,9 +9,9 @@ namespace vandplan::python {
 namespace {
 
 std::atomic<bool> stop_wanted = false;
-static_assert(std::atomic<bool>::is_always_lock_free);  // so that a handler may set it
+static_assert(std::atomic<bool>::is_always_lock_free);  // A signal handler may set it.
 struct sigaction previous = {};
-int depth = 0;  // planners in Python may plan themselves
+int depth = 0;  // Nested objects, since planners in Python may plan themselves.
 
 extern "C" void note_interrupt(int signal) {
   stop_wanted = true;
@@ -24,7 +24,7 @@ bool is_main_thread() {
   return threading.attr("current_thread")().is(threading.attr("main_thread")());
 }
 
-/// Whether SIGINT calls a function that can be called in turn.
+/// Whether SIGINT has a plain handler function that can be called.
 bool has_handler(const struct sigaction& action) {
   return (action.sa_flags & SA_SIGINFO) == 0 && action.sa_handler != SIG_DFL &&
          action.sa_handler != SIG_IGN;

@@ -3,15 +3,15 @@
 #pragma once
 // How does Ctrl-C end a run?
 //
-// Python's own handler notes the signal and looks at it when Python goes on, which is after the
-// run. Ours, which calls that one, ends the run besides.
+// Python's own signal handler notes the signal, and Python reacts when the run is over. The handler
+// here calls Python's handler, and also ends the run.
 
 #include <atomic>
 
 namespace vandplan::python {
 
-/// As long as one of these lives in Python's main thread, SIGINT sets `stop()` besides what it does
-/// anyway. In other threads, which Python hands no signals, it does nothing.
+/// While an object lives in Python's main thread, SIGINT also sets `stop()`. In other threads,
+/// which get no signals from Python, it does nothing.
 class Interruptible {
  public:
   Interruptible();
@@ -19,17 +19,17 @@ class Interruptible {
   Interruptible(const Interruptible&) = delete;
   Interruptible& operator=(const Interruptible&) = delete;
 
-  /// Becomes true at SIGINT; null in other threads.
+  /// Flag that SIGINT sets; null in other threads.
   [[nodiscard]] const std::atomic<bool>* stop() const noexcept;
 
-  /// Whether there was a SIGINT that this one has seen.
+  /// Whether SIGINT came while this object lived.
   [[nodiscard]] bool was_interrupted() const noexcept;
 
  private:
   bool installed_ = false;
 };
 
-/// Lets Python's handler act on signals that came: throws what it raises, KeyboardInterrupt.
+/// Lets Python's handler react to signals. Throws what it raises, KeyboardInterrupt.
 void raise_signals();
 
 }  // namespace vandplan::python

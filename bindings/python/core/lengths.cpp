@@ -25,7 +25,7 @@
 namespace vandplan::python {
 namespace {
 
-/// An array of one number for each pair, or that number if there is one pair of single poses.
+/// Array with a number for each pair, or one number for a pair of single poses.
 template <typename Loop>
 py::object numbers_of_pairs(const Poses& from, const Poses& to, Loop loop) {
   if (from.shape().empty() && to.shape().empty()) {
@@ -43,7 +43,7 @@ py::object numbers_of_pairs(const Poses& from, const Poses& to, Loop loop) {
   return out;
 }
 
-/// Calls `length(from, to)` for one pair after the other.
+/// Loop that calls `length(from, to)` for each pair.
 template <typename Length>
 auto one_by_one(Length length) {
   return [length](std::span<const Pose> from, std::span<const Pose> to, std::span<double> out) {
@@ -112,12 +112,12 @@ py::object python_continuous_length(const py::object& starts, const py::object& 
       one_by_one([&](const Pose& a, const Pose& b) { return steering.length(a, b); }));
 }
 
-/// Nodes with their poses, for pickle.
+/// Index of nodes, with their poses for pickle.
 struct NodeSet {
   double radius = 1.0;
   NearestNodes index;
   std::vector<Pose> poses = {};
-  std::vector<std::int32_t> removed = {};  ///< numbers of nodes that were taken out
+  std::vector<std::int32_t> removed = {};  ///< Numbers of removed nodes.
 
   explicit NodeSet(double turning_radius) : radius(turning_radius), index(turning_radius) {}
 };
@@ -143,7 +143,7 @@ void remove_node(NodeSet& nodes, std::int64_t node) {
   nodes.removed.push_back(static_cast<std::int32_t>(node));
 }
 
-/// (index, length) of the nodes near a sample, the nearest first.
+/// (index, length) of the nodes near a sample, nearest first.
 py::tuple near(const NodeSet& set, const py::object& sample,
                const std::optional<std::size_t>& count, const std::optional<double>& within) {
   NearWanted wanted;
@@ -164,7 +164,7 @@ py::tuple near(const NodeSet& set, const py::object& sample,
   return py::make_tuple(index, length);
 }
 
-/// (index, length) of the nearest node of each sample.
+/// (index, length) of the nearest node for each sample.
 py::tuple nearest_of(const NodeSet& set, const Poses& samples) {
   const NearestNodes& nodes = set.index;
   if (nodes.size() == 0) throw InputError("nodes", "are none, expected one at least");
@@ -207,13 +207,17 @@ void bind_nearest(py::module_& module) {
       "nodes"_a, "samples"_a, "radius"_a,
       R"(nearest(nodes, samples, radius) -> (index, length)
 
-Which of the nodes is nearest to each sample by the exact Reeds-Shepp length, and how far [m]; ties
-go to the first one. Arrays of the samples' leading shape; an int and a float for one sample. Keep a
-`NearestNodes` where the same nodes are asked again.)");
+Nearest node of each sample by exact Reeds-Shepp length, and its length [m].
+
+`nodes` are poses of shape (N, 3), `radius` is the turning radius [m]. The length is that from the
+node to the sample. The results have the samples' leading shape; they are an int and a float for one
+sample. Ties go to the first node. For many calls with the same nodes use `NearestNodes`.)");
 
   py::class_<NodeSet>(module, "NearestNodes", R"(NearestNodes(radius, nodes=None)
 
-Nodes among which the nearest by Reeds-Shepp length is found quickly, for a turning radius [m].)")
+Index that finds the nearest nodes by Reeds-Shepp length quickly.
+
+`radius` is the turning radius [m]. `nodes` are the first nodes, poses of shape (N, 3).)")
       .def(py::init([](double radius, const py::object& nodes) { return nodes_of(nodes, radius); }),
            "radius"_a, "nodes"_a = py::none())
       .def(
@@ -221,23 +225,25 @@ Nodes among which the nearest by Reeds-Shepp length is found quickly, for a turn
           [](NodeSet& self, const py::object& nodes) {
             add_all(self, Poses(nodes, "nodes").view());
           },
-          "nodes"_a, "add(nodes)\n\nAdds poses; their numbers go on from those that are there.")
+          "nodes"_a, "add(nodes)\n\nAdds poses as nodes. Their numbers continue the existing ones.")
       .def(
           "nearest",
           [](const NodeSet& self, const py::object& samples) {
             return nearest_of(self, Poses(samples, "samples"));
           },
           "samples"_a,
-          "nearest(samples) -> (index, length)\n\nThe nearest node of each sample, and its length "
-          "from there [m].")
+          "nearest(samples) -> (index, length)\n\nNearest node of each sample, and the length from "
+          "the "
+          "node to the sample [m].")
       .def("near", &near, "sample"_a, py::kw_only(), "count"_a = py::none(),
            "within"_a = py::none(),
            R"(near(sample, *, count=None, within=None) -> (index, length)
 
-The nodes near one sample, the nearest first, and their lengths from there [m]: at most `count` of
-them, none longer than `within` [m].)")
+Nodes near one sample, nearest first, and the lengths from them to the sample [m].
+
+Returns at most `count` nodes, none of them further than `within` [m].)")
       .def("remove", &remove_node, "node"_a,
-           "remove(node)\n\nTakes a node out. The numbers of the others stay.")
+           "remove(node)\n\nRemoves a node. All other nodes keep their numbers.")
       .def("__len__", [](const NodeSet& self) { return self.index.size(); })
       .def(py::pickle(
           [](const NodeSet& self) {
@@ -260,30 +266,35 @@ void bind_lengths(py::module_& module) {
   module.def("reeds_shepp_length", &python_reeds_shepp_length, "starts"_a, "goals"_a, "radius"_a,
              "exact"_a = false, R"(reeds_shepp_length(starts, goals, radius, exact=False) -> length
 
-Length of the shortest path in either gear from each start to its goal on open ground, for a turning
-radius [m]. Poses are [x, y, heading], of the shape (3,) or (..., 3); they fit together by numpy's
-rules, so that starts[:, None] and goals[None] give a table. A float for one pair of single poses.
+Length of the shortest path in either gear from each start to its goal on open ground [m].
 
-Vector units compute many pairs at once, in double. With `exact` the one-pair function of the C++
-library does, one pair after the other; the answers are the same bits.)");
+`radius` is the turning radius [m]. Poses are [x, y, heading], of shape (3,) or (..., 3). They
+follow numpy's broadcasting rules: starts[:, None] and goals[None] give a table. The result is a
+float for one pair of single poses.
+
+Vector units compute many pairs at once, in double precision. With `exact` the C++ function for one
+pair runs for each pair; the results are equal bit for bit.)");
   module.def("dubins_length", &python_dubins_length, "starts"_a, "goals"_a, "radius"_a,
              R"(dubins_length(starts, goals, radius) -> length
 
-Length of the shortest path that only drives forward, from each start to its goal on open ground
-[m]. Poses and shapes as in `reeds_shepp_length`.)");
+Length of the shortest path in forward gear only, from each start to its goal on open ground [m].
+
+Poses and shapes are as in `reeds_shepp_length`.)");
   module.def("length_bounds", &python_length_bounds, "starts"_a, "goals"_a, "radius"_a,
              R"(length_bounds(starts, goals, radius) -> (low, high)
 
-Two lengths between which `reeds_shepp_length` lies [m], looked up in a table. Poses and shapes as
-there.)");
+Lower and upper bound on `reeds_shepp_length` [m], from a table.
+
+Poses and shapes are as in `reeds_shepp_length`.)");
   module.def("continuous_length", &python_continuous_length, "starts"_a, "goals"_a, "radius"_a,
              "curvature_rate"_a, "continuity"_a = "between-stops",
              R"(continuous_length(starts, goals, radius, curvature_rate, continuity="between-stops")
 
-Length of a short path in either gear whose curvature changes by at most `curvature_rate` per metre
-[1/m^2]. It jumps only where the vehicle stands ("between-stops") or nowhere ("throughout"). Poses
-and shapes as in `reeds_shepp_length`; the wheels are straight at both ends, or as the path wants
-them where the vehicle stands.)");
+Length of a short path in either gear whose curvature changes gradually [m].
+
+The curvature changes by at most `curvature_rate` per metre [1/m^2]. With "between-stops" it may
+jump at gear changes, and the path may begin and end with any curvature. With "throughout" it never
+jumps, and the wheels are straight at both ends. Poses and shapes are as in `reeds_shepp_length`.)");
   bind_nearest(module);
 }
 

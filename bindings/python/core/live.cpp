@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// A vehicle that plans anew while it drives.
+// A vehicle that replans while it drives.
 
 #include "vandplan/live_drive.h"
 
@@ -31,7 +31,7 @@ void take_replan_options(py::dict& keywords, ReplanOptions& options) {
   take(keywords, "reserve", options.reserve);
 }
 
-/// Options of the plans: what is left are options of the default planner.
+/// Options of the plans; all keywords left over are options of the default planner.
 PlanOptions plan_options(py::dict& keywords, const CheckedScenario& scenario) {
   RunKeywords run;
   const auto take_limit = [&](const char* name, auto& limit) {
@@ -56,7 +56,7 @@ Prediction prediction_named(const std::string& word) {
 
 // ---- answers ----
 
-/// An answer with the vehicle that it is for.
+/// Answer of a replanner, with its vehicle.
 struct Answered {
   ReplanAnswer answer;
   Vehicle vehicle;
@@ -110,33 +110,36 @@ Answered answer_from_state(const py::tuple& state) {
 
 void bind_answer(py::module_& module) {
   py::class_<Answered> answer(module, "ReplanAnswer",
-                              R"(What a vehicle is to do from now on; true if it is safe.)");
+                              R"(Drive of a vehicle from now on; true if it is safe.)");
   const auto property = [&](const char* name, auto get, const char* about) {
     answer.def_property_readonly(
         name, [get](const Answered& self) { return get(self.answer); }, about);
   };
   property(
       "outcome", [](const ReplanAnswer& a) { return name_of(a.outcome); },
-      R"("kept", "new_times" (along the same way), "new_way", "stop" (no drive to the goal was found)
-or "none" (nothing safe was found, it brakes as hard as it may).)");
+      R"("kept", "new_times" (along the same way), "new_way", "stop" or "none".
+
+"stop": no drive to the goal was found, so the drive ends in an earlier standstill. "none": no safe
+drive was found, so the vehicle brakes as hard as it can.)");
   property(
       "begin", [](const ReplanAnswer& a) { return a.begin; },
-      "When the drive begins or began, by the clock of the replanner [s].");
+      "Time at which the drive begins, on the replanner's clock [s].");
   property(
       "reaches_goal", [](const ReplanAnswer& a) { return a.reaches_goal; },
-      "Whether the drive ends at the goal; otherwise it ends in a standstill on the way.");
+      "Whether the drive ends at the goal; otherwise it stops on the way.");
   property(
       "is_safe", [](const ReplanAnswer& a) { return a.is_safe; },
-      "Judged: the rest of the drive touches nothing and nobody, as far as is known.");
+      "Whether the rest of the drive touches no known obstacle, by the judge.");
   property(
       "reason", [](const ReplanAnswer& a) { return a.reason; },
-      "Why it is not safe, or does not reach the goal; or empty.");
+      "Why the drive is not safe, or does not reach the goal; otherwise empty.");
   answer
-      .def_property_readonly("drive", &answered_drive,
-                             "A `SpeedProfile` that begins at `begin`; None before the first tick.")
+      .def_property_readonly(
+          "drive", &answered_drive,
+          "The drive, a `SpeedProfile` that begins at `begin`; None before the first tick.")
       .def("action_at", &action_of, "t"_a, R"(action_at(t) -> dict
 
-The command at a time of the replanner's clock [s]: t, steering_angle [rad], v [m/s], a [m/s^2].)")
+Command at a time of the replanner's clock [s]: t, steering_angle [rad], v [m/s], a [m/s^2].)")
       .def("__bool__", [](const Answered& self) { return self.answer.is_safe; })
       .def("__repr__",
            [](const Answered& self) {
@@ -148,13 +151,13 @@ The command at a time of the replanner's clock [s]: t, steering_angle [rad], v [
 
 // ---- the replanner ----
 
-/// A replanner that one thread at a time may call.
+/// Replanner that only one thread at a time may call.
 struct OwnReplanner {
   Vehicle vehicle;
   Replanner replanner;
-  bool is_busy = false;  // with Python's lock
+  bool is_busy = false;  // Guarded by Python's lock.
 
-  /// Runs `work` without Python's lock.
+  /// Runs `work` without Python's lock. Throws InputError if another thread is at work.
   template <typename Work>
   void alone(Work work) {
     if (is_busy) throw InputError("replanner", "is at work in another thread");
@@ -180,7 +183,7 @@ std::shared_ptr<OwnReplanner> made_replanner(const CheckedScenario& scenario,
   return std::make_shared<OwnReplanner>(OwnReplanner{s.vehicle, Replanner(s, options)});
 }
 
-/// A rectangle of cells (row, column, cells), as a grid of that size.
+/// Rectangle of cells from a tuple (row, column, cells).
 CellPatch cell_patch_from(const py::handle& given) {
   const auto parts = py::reinterpret_borrow<py::tuple>(given);
   if (!py::isinstance<py::tuple>(given) || parts.size() != 3) {
@@ -234,24 +237,33 @@ void bind_replanner(py::module_& module) {
       R"(Replanner(scenario, *, tick_iterations=100, tick_states=2000, committed=1.0, better=0.1,
     reserve=0.1, time=None, max_iterations=None, seed=1, **options)
 
-One vehicle on its way to one goal, in a world that changes. What moves in the scenario is known from
-the start. An answer stays for `committed` [s] if it can; a new way has to be cheaper by the share
-`better`; `reserve` is the share of the limits that is left for corrections. `options` are those of
-`plan`; `max_iterations` and `time` limit the first plan. Same calls, same answers, bit for bit.)")
+Replanner for one vehicle on its way to one goal, in a changing world.
+
+The moving obstacles of the scenario are known from the start. Equal calls give equal answers, bit
+for bit. Trailers are not supported. `options` are those of `plan`.
+
+- `tick_iterations`, `tick_states`: work of a tick for ways, and for speeds among moving obstacles.
+- `committed`: time for which a drive stays unchanged if possible [s].
+- `better`: share by which a new way must be cheaper, 0 to 1.
+- `reserve`: share of the limits left for corrections, 0.01 to 0.5.
+- `time` [s], `max_iterations`: budget of the first plan.)")
       .def(py::init(&made_replanner), "scenario"_a)
       .def("tick", &tick, "t"_a, "pose"_a = py::none(), py::kw_only(), "v"_a = 0.0,
            "curvature"_a = 0.0, R"(tick(t, pose=None, *, v=0.0, curvature=0.0) -> ReplanAnswer
 
-Plans at time `t` [s], which is no less than before, for a vehicle that follows the last answer. With
-a measured `pose`, speed `v` [m/s] and `curvature` of the wheels [1/m] it plans from there once the
-vehicle is beyond half a metre, half a metre per second or 10 degrees from the last answer.)")
+Plans at time `t` [s] for a vehicle that follows the last answer.
+
+`t` must not be before that of the last tick. `pose`, speed `v` [m/s] and `curvature` of the wheels
+[1/m] are measurements. The plan begins there if the vehicle is more than 0.5 m, 0.5 m/s or 10
+degrees away from the last answer.)")
       .def("patch", &patch, py::kw_only(), "cells"_a = py::tuple(), "added"_a = py::dict(),
            "removed"_a = std::vector<std::int64_t>{},
            R"(patch(*, cells=(), added={}, removed=())
 
-Says what of the ground has changed. `cells` are tuples (row, column, array) of the grid, seen anew;
-`added` are polygons by whole numbers, `removed` such numbers. The scenario's own obstacles are called
-0, 1, ... in their order.)")
+Changes the ground from now on.
+
+`cells` are tuples (row, column, array) with new cells of the grid. `added` are polygons by whole
+numbers, `removed` numbers of polygons. The scenario's obstacles have the numbers 0, 1, ...)")
       .def(
           "set_moving",
           [](OwnReplanner& self, const std::vector<MovingObstacle>& moving) {
@@ -259,7 +271,7 @@ Says what of the ground has changed. `cells` are tuples (row, column, array) of 
           },
           "moving"_a, R"(set_moving(moving)
 
-Says which `MovingObstacle` objects move from now on, with times of the replanner's clock.)")
+Sets the `MovingObstacle` objects from now on, with times of the replanner's clock.)")
       .def_property_readonly(
           "answer",
           [](const OwnReplanner& self) {
@@ -271,7 +283,7 @@ Says which `MovingObstacle` objects move from now on, with times of the replanne
 
 // ---- drives in a closed loop ----
 
-/// A live drive with what was driven, as Python has it.
+/// Result of a live drive, with the driven path as Python sees it.
 struct LiveRun : LiveDriveResult {
   PathDrive drive = {};
 };
@@ -323,31 +335,35 @@ LiveRun driven_live(const CheckedScenario& scenario, const py::kwargs& keywords)
 void bind_live_result(py::module_& module) {
   ValueClass<LiveRun> live(
       module, "LiveDriveResult",
-      R"(What came of a drive in a closed loop; true if it arrived without contact.)");
-  live.field("has_arrived", &LiveRun::has_arrived, "Whether it stands at the goal.")
+      R"(Result of a drive with replanning; true if the vehicle arrived without contact.)");
+  live.field("has_arrived", &LiveRun::has_arrived, "Whether the vehicle stopped at the goal.")
       .field("duration", &LiveRun::duration, "Duration of the drive [s].")
-      .field("ticks", &LiveRun::ticks, "How often it planned.")
+      .field("ticks", &LiveRun::ticks, "Number of planning steps.")
       .field("ticks_without_answer", &LiveRun::ticks_without_answer,
-             "Ticks with an answer that is not safe.")
-      .field("stops", &LiveRun::stops, "Standstills on the way.")
-      .field("new_ways", &LiveRun::new_ways, "Other ways after the first one.")
-      .field("new_times", &LiveRun::new_times, "Other speeds along the same way.")
-      .field("stopping_ticks", &LiveRun::stopping_ticks, "Ticks without a drive to the goal.")
+             "Number of ticks whose answer is not safe.")
+      .field("stops", &LiveRun::stops, "Number of stops on the way.")
+      .field("new_ways", &LiveRun::new_ways, "Number of ways after the first one.")
+      .field("new_times", &LiveRun::new_times,
+             "Number of times that the speeds changed along the same way.")
+      .field("stopping_ticks", &LiveRun::stopping_ticks,
+             "Number of ticks that found no drive to the goal.")
       .field("end_distance", &LiveRun::end_distance, "Distance of the rear axle from the goal [m].")
       .field("end_heading", &LiveRun::end_heading,
-             "Difference of the heading there, without sign [rad].")
-      .field("clearance", &LiveRun::clearance, "Least distance from what stands [m]; or infinite.")
+             "Absolute difference of the heading at the goal [rad].")
+      .field("clearance", &LiveRun::clearance,
+             "Least distance from standing obstacles [m]; or infinite.")
       .field("moving_clearance", &LiveRun::moving_clearance,
-             "Least distance from what moves [m]; or infinite.")
+             "Least distance from moving obstacles [m]; or infinite.")
       .field("contact", &LiveRun::contact,
-             "The first `Contact` with what stands or moves, or None.")
-      .field("driven", &LiveRun::drive, "What was driven, a `SpeedProfile` in arcs of 5 ms.")
+             "First `Contact` with a standing or moving obstacle, or None.")
+      .field("driven", &LiveRun::drive,
+             "Drive that took place, a `SpeedProfile` with arcs of 5 ms.")
       .part([](const LiveRun& self) { return log_table(self.log); },
             [](LiveRun& self, const py::handle& table) { self.log = log_from(table); });
   live.pickled()
       .def_property_readonly(
           "log", [](const LiveRun& self) { return log_columns(self.log); },
-          "Columns of the drive with keep_log=True, as in `DriveResult.log`.")
+          "Motion of the vehicle with keep_log=True, as in `DriveResult.log`.")
       .def("__bool__", [](const LiveRun& self) { return self.has_arrived && !self.contact; })
       .def("__repr__", [](const LiveRun& self) {
         const char* const arrived = self.has_arrived ? "arrived" : "did not arrive";
@@ -370,12 +386,13 @@ void bind_live(py::module_& module) {
     better=0.1, tick_iterations=100, tick_states=2000, action_rate=0.0, on_action=None, seed=1,
     keep_log=False, time=None, max_iterations=None, **options) -> LiveDriveResult
 
-Drives to the goal in a closed loop: the vehicle sees what comes within `sensor_range` [m] (None: it
-knows everything), plans anew every `period` [s], a multiple of 0.02, and is steered by a controller.
-`prediction` is what it believes of others: "known" or "constant-velocity" for `horizon` [s]. The
-drive ends after `longest` [s]. `on_action` is called with a dict of t, steering_angle, v and a,
-`action_rate` times a second. The other keywords are those of `drive`, `Replanner` and `plan`.
-Repeats bit for bit without a limit of time.)");
+Drives to the goal in a closed loop of replanning, controller and simulated vehicle.
+
+The vehicle plans every `period` [s], a multiple of 0.02. It sees what is within `sensor_range` [m];
+None: it knows all. It expects of moving obstacles the `prediction` "known", or "constant-velocity"
+for `horizon` [s]. The drive ends after `longest` [s]. `on_action` is called `action_rate` times a
+second with a dict of t, steering_angle, v and a. All other keywords are those of `drive`,
+`Replanner` and `plan`. Without a limit of `time` the result repeats bit for bit.)");
 }
 
 }  // namespace vandplan::python

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// The module vandplan._core: all that the package vandplan has in C++.
+// The module vandplan._core: everything of the package vandplan that is in C++.
 
 #include <pybind11/pybind11.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// The class in Python; lives as long as the module.
+/// Python class of InputError; lives as long as the module.
 PyObject* input_error_type = nullptr;
 
 void translate(std::exception_ptr thrown) {
@@ -36,8 +36,9 @@ void translate(std::exception_ptr thrown) {
 void bind_errors(py::module_& module) {
   input_error_type = PyErr_NewExceptionWithDoc(
       "vandplan.InputError",
-      "Input that cannot be used, a ValueError. The message is that of the command line: `where`, "
-      "the\nplace that is wrong, and `problem`, what is wrong there and what was expected.",
+      "Wrong input, a ValueError. `where` names the place of the fault, `problem` says what is "
+      "wrong\n"
+      "there and what was expected. The message is that of the command line.",
       PyExc_ValueError, nullptr);
   module.add_object("InputError", input_error_type);
   py::register_exception_translator(&translate);
@@ -48,7 +49,7 @@ void bind_errors(py::module_& module) {
 PYBIND11_MODULE(_core, module) {
   namespace own = vandplan::python;
   pybind11::options options;
-  options.disable_function_signatures();  // the docstrings have readable ones
+  options.disable_function_signatures();  // The docstrings have readable signatures.
   module.doc() = "The part of vandplan that is written in C++.";
   own::bind_errors(module);
   own::bind_path(module);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// What else moves.
+// Moving obstacles.
 
 #include "vandplan/moving.h"
 
@@ -45,7 +45,7 @@ Afterwards afterwards_named(const std::string& word) {
   throw InputError("after", "is \"" + word + "\", expected stays or leaves");
 }
 
-/// Checks one alone, as it is checked in a scenario. Errors name "outline" or another key.
+/// Checks one obstacle as in a scenario. Errors name "outline" or another key.
 void expect_mover(const MovingObstacle& obstacle) {
   try {
     check_scenario({.bounds = {-1.0, 1.0, -1.0, 1.0}, .moving = {obstacle}});
@@ -81,31 +81,33 @@ void bind_obstacle(py::module_& module) {
   py::class_<MovingObstacle>(module, "MovingObstacle",
                              R"(MovingObstacle(outline, trajectory, after="stays", inflate=0)
 
-A vehicle, a person or a door that moves by itself. `outline` is a simple polygon in a frame of its
-own, (N, 2) [m]. `trajectory` says where that frame is: rows [t, x, y, heading], t increasing [s].
-Between rows it moves and turns evenly, before the first row it stands there. After the last row it
-"stays" or "leaves". The outline grows by `inflate` on all sides for each second from t = 0 to the
-last row [m/s].)")
+Obstacle with a known motion: a vehicle, a person or a door.
+
+- `outline`: simple polygon in a frame of its own [m], shape (N, 2).
+- `trajectory`: poses of that frame, rows [t, x, y, heading] with increasing t [s].
+- `after`: "stays" or "leaves" after the last row.
+- `inflate`: growth of the outline on all sides [m/s], from t = 0 to the last row.
+
+Between rows the obstacle moves and turns uniformly. Before the first row it stands there.)")
       .def(py::init(&made_obstacle), "outline"_a, "trajectory"_a, "after"_a = "stays",
            "inflate"_a = 0.0)
       .def_property_readonly(
           "outline",
           [](const MovingObstacle& self) { return array_of(std::span<const Point>(self.outline)); },
-          "Corners in a frame of its own [m]; shape (N, 2).")
+          "Corners in the obstacle's own frame [m]; shape (N, 2).")
       .def_property_readonly(
           "trajectory", [](const MovingObstacle& self) { return rows_of(self.trajectory); },
-          "Rows [t, x, y, heading]; shape (N, 4).")
+          "Poses of the frame over time, rows [t, x, y, heading]; shape (N, 4).")
       .def_property_readonly(
           "after", [](const MovingObstacle& self) { return name_of(self.after); },
-          "\"stays\" or \"leaves\": what becomes of it after the last row.")
+          "What the obstacle does after the last row: \"stays\" or \"leaves\".")
       .def_readonly("inflate", &MovingObstacle::inflate, "Growth of the outline [m/s].")
       .def(
           "pose_at", [](const MovingObstacle& self, double t) { return pose_at(self, t); }, "t"_a,
-          "pose_at(t) -> array or None\n\nWhere its frame is at a time [s]; None once it has left.")
+          "pose_at(t) -> array or None\n\nPose of the frame at a time [s]; None once it has left.")
       .def(
           "growth_at", [](const MovingObstacle& self, double t) { return growth_at(self, t); },
-          "t"_a,
-          "growth_at(t) -> float\n\nHow much larger than `outline` it is then, on all sides [m].")
+          "t"_a, "growth_at(t) -> float\n\nGrowth of the outline on all sides at a time [m].")
       .def("__eq__",
            [](const MovingObstacle& self, const MovingObstacle& other) { return self == other; })
       .def("__eq__", [](const MovingObstacle&, const py::object&) { return false; })
@@ -127,24 +129,27 @@ last row [m/s].)")
 void bind_moving(py::module_& module) {
   bind_obstacle(module);
   ValueClass<Meeting> meeting(
-      module, "Meeting", R"(The moment when a vehicle comes too near to something that moves.)");
-  meeting.field("t", &Meeting::t, "When [s].")
-      .field("s", &Meeting::s, "Driven distance then [m].")
-      .field("pose", &Meeting::pose, "Pose of the vehicle then.")
-      .field("obstacle", &Meeting::obstacle, "Index of the obstacle that it meets.");
+      module, "Meeting", R"(First moment when a vehicle comes too near to a moving obstacle.)");
+  meeting.field("t", &Meeting::t, "Time of the meeting [s].")
+      .field("s", &Meeting::s, "Driven distance at that time [m].")
+      .field("pose", &Meeting::pose, "Pose [x, y, heading] of the vehicle at that time.")
+      .field("obstacle", &Meeting::obstacle, "Index of the moving obstacle.");
   meeting.pickled().def("__repr__", [](const Meeting& self) {
     return fmt::format("<vandplan.Meeting: moving[{}] at t = {:.3f} s>", self.obstacle, self.t);
   });
   module.def(
       "end_of_motion",
       [](const std::vector<MovingObstacle>& moving) { return end_of_motion(moving); }, "moving"_a,
-      "end_of_motion(moving) -> float\n\nWhen the last obstacle comes to rest or leaves [s]; 0 if "
-      "there is none.");
+      "end_of_motion(moving) -> float\n\nTime at which the last moving obstacle stops or leaves "
+      "[s]; "
+      "0 without obstacles.");
   module.def("first_meeting", &meeting_on, "drive"_a, "moving"_a, "margin"_a = 0.0,
              R"(first_meeting(drive, moving, margin=0) -> Meeting or None
 
-The first moment of a `SpeedProfile`, or after it, at which the vehicle is within `margin` [m] of one
-of the obstacles that move. No meeting is missed between two steps, as there are no steps.)");
+First moment at which the vehicle of a `SpeedProfile` is within `margin` [m] of a moving obstacle.
+
+The time after the drive counts too, when the vehicle stands at the end. The test has no time steps,
+so it misses no meeting.)");
 }
 
 }  // namespace vandplan::python

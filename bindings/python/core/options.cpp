@@ -64,7 +64,7 @@ py::object object_of(const OptionValue& value) {
 
 namespace {
 
-/// What a common option's JSON means: a number, a word or null.
+/// Python value of a common option's JSON: a number, a word or None.
 py::object object_of_json(const std::string& json) {
   if (json == "null") return py::none();
   if (json == "true" || json == "false") return py::bool_(json == "true");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// Planners: those of the library, and those that are functions of Python.
+// Planners of the library, and planners from Python functions.
 
 #include "bindings/python/core/own_planner.h"
 
@@ -24,13 +24,13 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 
-/// A function of Python as that of a planner.
+/// Planner function that calls a Python function.
 struct PythonFunction {
   std::shared_ptr<const py::function> kept;
   PlannerAnswer operator()(const Task& task, const PlanOptions& options) const;
 };
 
-/// The function of a planner that begins with a path.
+/// Planner function that begins with a path.
 struct WarmFunction {
   Path path;
   PlannerFunction function;
@@ -71,7 +71,7 @@ OptionValue value_from(const py::handle& given, const std::string& name) {
   throw InputError("options." + name, "expected a default that is a bool, a number or a word");
 }
 
-/// An option by its default alone, or (default, least, most), or (default, [word, ...]).
+/// Option from its default alone, (default, least, most), or (default, [word, ...]).
 OptionInfo option_from(const std::string& name, const py::handle& given) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   OptionInfo info{
@@ -137,7 +137,7 @@ py::dict properties_of(const Planner& planner) {
       "deterministic"_a = p.deterministic, "groups"_a = p.groups);
 }
 
-/// A name, a path to begin with, or a function with what its planner honours.
+/// State for pickle: a name, a path of a warm start, or a function with the planner's properties.
 py::tuple planner_state(const Planner& planner) {
   if (const auto* const warm = planner.function.target<WarmFunction>()) {
     return py::make_tuple("warm", warm->path);
@@ -204,19 +204,27 @@ void bind_own_planner(py::module_& module) {
       R"(Planner(name, function, *, summary="", options={}, honours_prices=False, honours_gears=False,
     anytime=False, deterministic=True)
 
-A planner as a value, to be handed to `plan` and `compare`. `function` takes a `Task` and returns
-what is said there; the judge sees every path before anybody else does. `options` are its own: a
-default for each name, or (default, least, most), or (default, [word, ...]). Without
-`honours_prices` the cost is the length. With `honours_gears` the task's pieces are in the gears that
-`gears` allows, as its path has to be; without it `gears` is refused.)")
+A planner for `plan` and `compare` that calls a Python function.
+
+- `function`: takes a `Task` and returns a path, or another value that `Task` describes. The judge
+  checks every path.
+- `options`: options of the planner. Each name has a default, (default, least, most), or (default,
+  [word, ...]).
+- `honours_prices`: whether the planner minimises the cost; otherwise the cost is the length.
+- `honours_gears`: whether the planner accepts `gears`. The pieces of its task then use the allowed
+  gears only, and so must its path.
+- `anytime`, `deterministic`: properties that `properties` reports.)")
       .def(py::init(&make_planner), "name"_a, "function"_a, py::kw_only(), "summary"_a = "",
            "options"_a = py::dict(), "honours_prices"_a = false, "honours_gears"_a = false,
            "anytime"_a = false, "deterministic"_a = true)
-      .def_readonly("name", &Planner::name, "What it is chosen by.")
-      .def_readonly("summary", &Planner::summary, "One line.")
-      .def_property_readonly("options", &options_of,
-                             "Its own options: default, range and summary by name.")
-      .def_property_readonly("properties", &properties_of, "What it honours and promises.")
+      .def_readonly("name", &Planner::name, "Name by which the planner is chosen.")
+      .def_readonly("summary", &Planner::summary, "Description in one line.")
+      .def_property_readonly(
+          "options", &options_of,
+          "The planner's own options by name: dicts of default, range and summary.")
+      .def_property_readonly("properties", &properties_of,
+                             "Properties of the planner: which options it honours, and whether it "
+                             "is anytime or deterministic.")
       .def("__repr__",
            [](const Planner& self) {
              return fmt::format("<vandplan.Planner {}: {}>", self.name, self.summary);
@@ -227,10 +235,11 @@ default for each name, or (default, least, most), or (default, [word, ...]). Wit
       "path"_a,
       R"(warm_started(path) -> Planner
 
-The default planner, told of a `Path` or `Result` that was good for a like problem: whose start, goal
-or obstacles were a little different. If a path along it is free, that is the first one, and it is
-bettered before others are looked for. No notice is taken of it for a vehicle with a trailer, or among
-what moves.)");
+The default planner with a warm start.
+
+`path` is a `Path`, `SpeedProfile` or `Result` of a similar problem, whose start, goal or obstacles
+differ slightly. If a path along it is free, it is the first path found, and is improved before
+other ways are searched. Ignored with a trailer or among moving obstacles.)");
   module.def(
       "planners",
       [] {
@@ -238,7 +247,7 @@ what moves.)");
         for (const Planner& planner : planners()) all.push_back(std::make_shared<Planner>(planner));
         return all;
       },
-      "planners() -> list of Planner\n\nThe planners of the library, the default one first.");
+      "planners() -> list of Planner\n\nAll planners of the library, the default one first.");
   bind_path_source(module);
 }
 

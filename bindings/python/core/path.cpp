@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// Paths, and the steering functions that make them.
+// Paths, and the steering functions that create them.
 
 #include "bindings/python/core/path.h"
 
@@ -26,7 +26,8 @@ Path made_path(const py::object& start, const py::object& segments) {
   return {first, segments_from(segments)};
 }
 
-/// `of(s)` for each number: `last` numbers for each if that is not 0.
+/// Array with the results of `write(s, out)` for each distance; `last` numbers for each, one if it
+/// is 0.
 template <typename Write>
 py::object at_distances(const py::object& given, int last, Write write) {
   const Numbers distances = numbers_from(given, "s");
@@ -91,35 +92,41 @@ std::string path_text(const Path& path) {
 void bind_path_class(py::module_& module) {
   py::class_<Path>(module, "Path", R"(Path(start, segments)
 
-What is driven from a start pose [x, y, heading]: rows [curvature, length, curvature_rate], of which
-the last number may be left out. A curvature is that at the segment's start [1/m], positive to the
-left; a length [m] is negative in reverse; a rate [1/m^2] is the change of curvature per metre.)")
+Path from a start pose [x, y, heading] along segments.
+
+`segments` are rows [curvature, length, curvature_rate]; the last number may be missing. The
+curvature is that at the segment's start [1/m], positive to the left. The length [m] is negative in
+reverse. The rate [1/m^2] is the change of curvature per metre driven.)")
       .def(py::init(&made_path), "start"_a, "segments"_a)
       .def_property_readonly(
           "start", [](const Path& self) { return array_of(self.start); },
-          "The first pose [x, y, heading].")
+          "First pose [x, y, heading].")
       .def_property_readonly(
-          "end", [](const Path& self) { return array_of(end_pose(self)); }, "The last pose.")
+          "end", [](const Path& self) { return array_of(end_pose(self)); },
+          "Last pose [x, y, heading].")
       .def_property_readonly(
           "segments",
           [](const Path& self) { return array_of(std::span<const Segment>(self.segments)); },
-          "A row [curvature, length, curvature_rate] for each segment; shape (K, 3).")
+          "Rows [curvature, length, curvature_rate], one for each segment; shape (K, 3).")
       .def_property_readonly(
           "length", [](const Path& self) { return length(self); },
-          "Driven distance [m]; reverse metres count like others.")
+          "Driven distance in both gears [m].")
       .def_property_readonly(
           "gear_changes", [](const Path& self) { return gear_changes(self); },
-          "How often the direction of travel changes.")
+          "Number of gear changes.")
       .def("poses", &poses_of, "step"_a = 0.1, R"(poses(step=0.1) -> array of shape (N, 3)
 
-Poses at most `step` apart [m], both ends of every segment among them.)")
+Poses along the path at most `step` apart [m], with both ends of every segment.)")
       .def("samples", &samples_of, "step"_a = 0.1, R"(samples(step=0.1) -> dict of arrays
 
-Columns s [m], x, y, heading, curvature [1/m] and direction (1 forward, -1 reverse) at the same
-places as `poses`; `pandas.DataFrame(path.samples())` is a table of them.)")
+Columns at the places of `poses`: s [m], x, y, heading, curvature [1/m], direction.
+
+The direction is 1 forward, -1 in reverse. `pandas.DataFrame(path.samples())` makes a table.)")
       .def("pose_at", &poses_at, "s"_a, R"(pose_at(s) -> array
 
-The pose after `s` metres, clamped to [0, length]: shape (3,) for a number, (..., 3) for an array.)")
+Pose after `s` metres, clamped to [0, length].
+
+The shape is (3,) for a number and (..., 3) for an array.)")
       .def("__eq__", [](const Path& self, const Path& other) { return self == other; })
       .def("__eq__", [](const Path&, const py::object&) { return false; })
       .def("__repr__", &path_text)
@@ -179,10 +186,10 @@ void bind_path(py::module_& module) {
   };
   between("reeds_shepp", &reeds_shepp, R"(reeds_shepp(start, goal, radius) -> Path
 
-The shortest path in either gear on open ground for a turning radius [m].)");
+Shortest path in either gear on open ground, for a turning radius [m].)");
   between("dubins", &dubins, R"(dubins(start, goal, radius) -> Path
 
-The shortest path that only drives forward, on open ground, for a turning radius [m].)");
+Shortest path in forward gear on open ground, for a turning radius [m].)");
   module.def(
       "continuous_path",
       [](const py::object& start, const py::object& goal, double radius, double curvature_rate,
@@ -194,8 +201,9 @@ The shortest path that only drives forward, on open ground, for a turning radius
       "start"_a, "goal"_a, "radius"_a, "curvature_rate"_a, "continuity"_a = "between-stops",
       R"(continuous_path(start, goal, radius, curvature_rate, continuity="between-stops") -> Path
 
-A short path in either gear whose curvature changes by at most `curvature_rate` per metre [1/m^2];
-see `continuous_length`.)");
+Short path in either gear whose curvature changes by at most `curvature_rate` per metre [1/m^2].
+
+`radius` is the turning radius [m]; `continuity` is described at `continuous_length`.)");
 }
 
 }  // namespace vandplan::python

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What do other parts of the module need of paths?
+// What do other parts of the module need for paths?
 
 #include <pybind11/pybind11.h>
 
@@ -15,10 +15,10 @@ namespace vandplan::python {
 /// "between-stops" or "throughout". Throws InputError for another word.
 [[nodiscard]] Continuity continuity_named(std::string_view name);
 
-/// A piece that begins at a pose.
+/// Path of one piece from a pose.
 [[nodiscard]] Path path_of(const Pose& start, const Piece& piece);
 
-/// Rows [curvature, length] or [curvature, length, curvature_rate].
+/// Segments from rows [curvature, length] or [curvature, length, curvature_rate].
 [[nodiscard]] std::vector<Segment> segments_from(const pybind11::handle& given);
 
 }  // namespace vandplan::python

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// Generators of Python that propose paths.
+// Python generators that propose paths.
 
 #include "bindings/python/core/path_source.h"
 
@@ -23,7 +23,7 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 
-/// A generator as a source: each step of it is one iteration.
+/// Source of paths that runs a generator; each of its steps is an iteration.
 class Generator final : public PathSource {
  public:
   Generator(const py::function& make, const Task& task, const PlanOptions& options)
@@ -67,7 +67,7 @@ class Generator final : public PathSource {
  private:
   std::shared_ptr<PlanningTask> task_;
   py::object generator_;
-  std::optional<Path> best_;  // that the generator has not heard of
+  std::optional<Path> best_;  // Best path that the generator has not received yet.
   bool is_begun_ = false;
   bool has_work_ = true;
 };
@@ -93,13 +93,18 @@ void bind_path_source(py::module_& module) {
   module.def("with_sources", &planner_with, "sources"_a, py::kw_only(), "share"_a = 16,
              R"(with_sources(sources, *, share=16) -> Planner
 
-The default planner, with sources of paths beside its own workers. `sources` are generator functions
-by name. Each takes a `Task` and yields a `Path` or `Result` that it proposes, or None; it is asked
-`share` times in a round, fewer times at first. `yield` returns the cheapest path that the planner
-knows of, if there is another one, else None. A path may begin or end elsewhere, or hit something: its
-nearest free relative is taken, if there is one, and shortened. Every answer has passed the judge. Of
-sources no notice is taken for a vehicle with a trailer. Raises InputError for a share outside
-[1, 10000].)");
+The default planner, with more sources of paths beside its own workers.
+
+`sources` are generator functions by name. Each takes a `Task` and yields a `Path`, `SpeedProfile`
+or `Result` as a proposal, or None. `yield` returns the planner's cheapest path if there is a new
+one, otherwise None.
+
+A proposed path may begin or end elsewhere, or hit obstacles. The planner looks for a free path near
+it and shortens that. The judge checks every answer. Sources are ignored for a vehicle with a
+trailer.
+
+`share` is the number of steps of a source in a round; the first rounds have fewer. Raises
+InputError for a share outside [1, 10000].)");
 }
 
 }  // namespace vandplan::python

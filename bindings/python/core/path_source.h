@@ -9,7 +9,7 @@
 
 namespace vandplan::python {
 
-/// The function of a planner with sources: functions of Python, which cannot be sent elsewhere.
+/// Function of a planner with sources. Its Python functions cannot be pickled.
 struct SourcesFunction {
   PlannerFunction function;
   PlannerAnswer operator()(const Task& task, const PlanOptions& options) const {
@@ -17,7 +17,7 @@ struct SourcesFunction {
   }
 };
 
-/// Binds `with_sources`.
+/// Adds `with_sources` to the module.
 void bind_path_source(pybind11::module_& module);
 
 }  // namespace vandplan::python

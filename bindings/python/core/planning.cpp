@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// Planning, of one problem and of many, and smoothing.
+// Planning of one and of many problems, and smoothing.
 
 #include <pybind11/stl.h>
 
@@ -20,14 +20,14 @@ namespace {
 
 using namespace py::literals;
 
-/// What becomes of Ctrl-C.
+/// Whether Ctrl-C returns the best path so far instead of raising.
 bool returns_at_interrupt(const std::string& word) {
   if (word == "raise" || word == "return") return word == "return";
   throw InputError("on_interrupt", "is \"" + word + "\", expected raise or return");
 }
 
-/// Runs `work` with the options, which Ctrl-C ends soon. Then KeyboardInterrupt is raised, unless
-/// the caller wants what there is.
+/// Runs `work` with the options, so that Ctrl-C ends it soon. Then raises KeyboardInterrupt, unless
+/// `returns` is set.
 template <typename Work>
 void run_interruptibly(PlanOptions& options, bool returns, Work work) {
   {
@@ -66,7 +66,7 @@ RunResult plan_one(const CheckedScenario& scenario, const py::object& planner,
   return planned(scenario, std::move(chosen), std::move(all), returns);
 }
 
-/// A scenario for each pair of start and goal, in one world.
+/// Scenario for each pair of start and goal, all in one world.
 std::vector<CheckedScenario> scenarios_for(const CheckedScenario& scenario,
                                            const py::object& starts, const py::object& goals) {
   const Poses from(starts, "starts");
@@ -116,7 +116,7 @@ std::vector<RunResult> plan_pairs(const CheckedScenario& scenario, const py::obj
   return runs;
 }
 
-/// Options of the run that planned a path, if they are known.
+/// Options of the run that planned a path; empty if they are unknown.
 std::vector<Setting> stored_with(const py::object& given) {
   if (!py::isinstance<RunResult>(given)) return {};
   return stored_options(given.cast<const RunResult&>().record);
@@ -132,7 +132,7 @@ RunResult smooth_path(const CheckedScenario& scenario, const py::object& given,
   PlanOptions options = smooth_options(scenario.options(), stored_with(given));
   set_keywords(options, *run.planner, {time, max_iterations, seed, keywords});
   Smoothed smoothed;
-  const Problem& problem = scenario.problem();  // which needs the interpreter
+  const Problem& problem = scenario.problem();  // Needs Python's lock.
   run_interruptibly(options, false, [&] { smoothed = smooth(problem, path, chosen, options); });
   smoothed.options.budget.stop = nullptr;
   run.record = {.scenario = scenario.scenario().name,
@@ -151,36 +151,46 @@ void bind_planning(py::module_& module) {
              R"(plan(scenario, planner="anytime", *, time=None, max_iterations=None, seed=1,
     on_interrupt="raise", **options) -> Result
 
-Plans a path, which the judge has seen before it is returned. `planner` is a name, a `Planner`, or a
-function of a `Task`. Without a limit of `time` [s] or `max_iterations` a run takes 1 s; with
-`max_iterations` alone it repeats bit for bit. `options` are those that the command line takes with
---set: margin=0.3, style="shortest", steering="continuous", threads=2; those of the scenario's file
-hold unless given here. Prices that are not set are a driver's in a truck; they shrink with a vehicle
-that turns on less than 7 m.
+Plans a path; the judge checks it before it is returned.
 
-Ctrl-C ends the run and raises KeyboardInterrupt; with on_interrupt="return" it returns the best so
-far. Throws InputError, a ValueError, for what cannot be used.)");
+- `planner`: a name, a `Planner`, or a function of a `Task`.
+- `time` [s], `max_iterations`: budget of the run; 1 s without both. With `max_iterations` alone the
+  result repeats bit for bit.
+- `seed`: seed of the random numbers.
+- `on_interrupt`: "raise": Ctrl-C ends the run and raises KeyboardInterrupt. "return": it returns
+  the best path so far.
+- `options`: options of the command line's --set, such as margin=0.3, style="shortest",
+  steering="continuous", threads=2. They replace those of the scenario's file.
+
+Prices that are not set are those of a truck driver. They are smaller for a turning radius below 7
+m. Raises InputError, a ValueError, for wrong input.)");
   module.def("plan_many", &plan_pairs, "scenario"_a, "starts"_a, "goals"_a,
              "planner"_a = default_planner().name, py::kw_only(), "threads"_a = 1,
              "time"_a = py::none(), "max_iterations"_a = py::none(), "seed"_a = 1,
              R"(plan_many(scenario, starts, goals, planner="anytime", *, threads=1, time=None,
     max_iterations=None, seed=1, **options) -> list of Result
 
-Plans from each start to its goal in the world of the scenario, `threads` of them at a time; starts
-and goals are poses of the shape (N, 3), or one for all. Each plan has the whole budget and the same
-answer as alone.)");
+Plans from each start to its goal in the world of the scenario, `threads` problems at a time.
+
+Starts and goals are poses of shape (N, 3), or one pose for all. Each plan has the whole budget, and
+the same result as by `plan`. The other keywords are those of `plan`.)");
   module.def(
       "smooth", &smooth_path, "scenario"_a, "path"_a, py::kw_only(), "method"_a = "optimised",
       "time"_a = py::none(), "max_iterations"_a = py::none(), "seed"_a = 1,
       R"(smooth(scenario, path, *, method="optimised", time=None, max_iterations=None, seed=1,
     **options) -> Result
 
-A path along the way of a `Path` or `Result` that is cheaper, and that the wheels can follow, checked
-like any other. `method` is "optimised" or "clothoids". Keywords come before the options of a
-`Result` (prices, cost, margin, min_stroke, steering), and these before the options of the scenario.
-The budget of a `Result` does not count, nor does its steering if that is "reeds-shepp": without a
-trailer it becomes "continuous-between-stops". By these options the path is never worse than one that
-the judge passes: if nothing better is found it is the path that was given.)");
+Cheaper path along the way of a `Path`, `SpeedProfile` or `Result`, which the wheels can follow.
+
+- `method`: "optimised" or "clothoids".
+- `time` [s], `max_iterations`, `seed`: budget and seed.
+- `options`: options of `plan`. They replace those of a `Result` (prices, cost, margin, min_stroke,
+  steering), which replace those of the scenario.
+
+The budget of a `Result` is not used. If its steering is "reeds-shepp", that becomes
+"continuous-between-stops", except with a trailer. The judge checks the path. By these options it is
+never worse than a given path that the judge accepts: without an improvement the given path is
+returned.)");
 }
 
 }  // namespace vandplan::python

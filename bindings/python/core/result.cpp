@@ -22,7 +22,7 @@ namespace vandplan::python {
 namespace {
 
 using namespace py::literals;
-using FileName = std::filesystem::path;  // from str and from os.PathLike
+using FileName = std::filesystem::path;  // Accepts str and os.PathLike.
 
 const PlanResult& plan_of(const RunResult& self) { return self.record.result; }
 
@@ -103,7 +103,7 @@ void draw_to(const CheckedScenario& scenario, const RunResult* result, const Fil
 }
 
 void bind_result_class(py::module_& module) {
-  py::class_<RunResult> result(module, "Result", R"(What a run brought; true if there is a path.)");
+  py::class_<RunResult> result(module, "Result", R"(Result of a run; true if there is a path.)");
   const auto property = [&](const char* name, auto get, const char* about) {
     result.def_property_readonly(
         name, [get](const RunResult& self) { return get(plan_of(self)); }, about);
@@ -114,54 +114,61 @@ void bind_result_class(py::module_& module) {
 "iteration_limit", "node_limit", "time_limit", "stopped", "no_path" (proven), "rejected".)");
   property(
       "reason", [](const PlanResult& r) { return r.reason; },
-      "Why there is no path, one line; or empty.");
+      "Why there is no path, one line; empty if there is one.");
   property(
       "hit", [](const PlanResult& r) { return r.hit; },
-      R"(What is in the way of a start or goal in collision: a dict; or None.
+      R"(Object that a start or goal in collision hits: a dict; otherwise None.
 
-"what" is the key of the scenario: "obstacles", "kerbs", "inside" (then "index" is its number), "map"
-(then "cell" is the middle of the cell [m]) or "bounds".)");
+"what" is a key of the scenario: "obstacles", "kerbs" or "inside" (each with its number as "index"),
+"map" (with the middle of the cell [m] as "cell") or "bounds".)");
   property(
       "path", [](const PlanResult& r) { return r.path; }, "The path, or None.");
   property(
       "goal", [](const PlanResult& r) { return r.goal; },
-      "The goal that the path ends at, a `ReachedGoal`; None without a set of goals.");
+      "Goal of a set that the path ends at, a `ReachedGoal`; None without a set of goals.");
   property(
       "bound", [](const PlanResult& r) { return r.lower_bound; },
-      "No path costs less, proven; in the unit of `cost`. 0: nothing is proven.");
+      "Proven lower bound on the cost of all paths, in the unit of `cost`; 0 if nothing is "
+      "proven.");
   property(
       "time", [](const PlanResult& r) { return r.time_total; }, "Time in the planner [s].");
   property(
       "iterations", [](const PlanResult& r) { return r.iterations; }, "Iterations of the planner.");
   property("check", &verdict_of,
-           "What the judge found, of a path that it rejected as well; or None.");
+           "Verdict of the judge, a `PathCheck`, also for a rejected path; None without one.");
   result
-      .def_property_readonly("cost", &result_cost,
-                             "Cost of the path [m], or [s] where the cost is the time; or None.")
+      .def_property_readonly(
+          "cost", &result_cost,
+          "Cost of the path [m], or [s] if the cost is the time; None without a path.")
       .def_property_readonly("speeds", &planned_drive,
-                             R"(When the vehicle is where, a `SpeedProfile`.
+                             R"(Planned speeds, a `SpeedProfile`.
 
-Planned among what moves; None where nothing moves, as any speeds will do there.)")
+None if the planner left the times open, as it does without moving obstacles.)")
       .def_property_readonly("gap", &result_gap,
-                             "cost / bound - 1, or None where nothing is proven.")
-      .def_property_readonly("trace", &result_trace,
-                             "A row [time, iteration, cost] for each better path; shape (N, 3).")
-      .def_property_readonly("counters", &counters_of, "What the planner counted, by name.")
-      .def_property_readonly("phases", &phases_of, "Seconds by phase, with the option profile.")
-      .def_property_readonly("tree", &result_tree, "(poses, parents) of a search tree, or None.")
-      .def_property_readonly("options", &result_options, "What was in force, by name.")
+                             "Optimality gap, cost / bound - 1; None if nothing is proven.")
       .def_property_readonly(
-          "planner", [](const RunResult& self) { return self.record.planner; }, "Its name.")
+          "trace", &result_trace,
+          "Rows [time, iteration, cost], one for each better path; shape (N, 3).")
+      .def_property_readonly("counters", &counters_of, "Counters of the planner by name.")
+      .def_property_readonly("phases", &phases_of,
+                             "Seconds in each phase, with the option profile.")
+      .def_property_readonly("tree", &result_tree, "Search tree as (poses, parents), or None.")
+      .def_property_readonly("options", &result_options,
+                             "Options that were in force by name; None if they are unknown.")
       .def_property_readonly(
-          "scenario", [](const RunResult& self) { return self.scenario; }, "What was planned.")
+          "planner", [](const RunResult& self) { return self.record.planner; },
+          "Name of the planner.")
+      .def_property_readonly(
+          "scenario", [](const RunResult& self) { return self.scenario; }, "Scenario of the run.")
       .def(
           "save",
           [](const RunResult& self, const FileName& file) {
             write_results(file.string(), self.scenario.file(), {self.record});
           },
           "file"_a,
-          "save(file)\n\nWrites a result file for the command line: JSON, or binary for a name "
-          "that ends in .vpr.")
+          "save(file)\n\nWrites a result file for the command line: binary if the name ends in "
+          ".vpr, "
+          "otherwise JSON.")
       .def("__bool__", [](const RunResult& self) { return plan_of(self).path.has_value(); })
       .def("__repr__", &result_text)
       .def("_repr_png_", [](const RunResult& self) {
@@ -205,8 +212,9 @@ void bind_result(py::module_& module) {
   module.def("draw", &draw_to, "scenario"_a, "result"_a.none(true), "file"_a, "width"_a = 800,
              R"(draw(scenario, result, file, width=800)
 
-Draws a scenario and, unless it is None, a result into a file (.png, .svg or .pdf), as the command
-line does; `width` in pixels or points. `plot` draws into a figure of matplotlib.)");
+Draws a scenario, and a result unless that is None, into a file (.png, .svg or .pdf).
+
+`width` is in pixels or points. `plot` draws with matplotlib instead.)");
   module.def(
       "read_result",
       [](const FileName& file, const CheckedScenario& scenario) {
@@ -214,7 +222,8 @@ line does; `width` in pixels or points. `plot` draws into a figure of matplotlib
         return RunResult{scenario, nullptr, std::move(records.front())};
       },
       "file"_a, "scenario"_a,
-      "read_result(file, scenario) -> Result\n\nReads a result file of this scenario.");
+      "read_result(file, scenario) -> Result\n\nReads a result file that belongs to this "
+      "scenario.");
 }
 
 }  // namespace vandplan::python

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What came out of a run, in Python?
+// How does Python see the result of a run?
 
 #include <pybind11/pybind11.h>
 
@@ -13,25 +13,25 @@
 
 namespace vandplan::python {
 
-/// A result with the scenario, planner and options that it belongs to.
+/// Result with its scenario, planner and options; `Result` in Python.
 struct RunResult {
   CheckedScenario scenario;
-  std::shared_ptr<const Planner> planner;  ///< null if it was read from a file or a pickle
+  std::shared_ptr<const Planner> planner;  ///< Null if the result was read from a file or a pickle.
   ResultRecord record;
-  pybind11::object known_options = pybind11::none();  ///< a dict without the planner, or None
+  /// Options without the planner: a dict or None.
+  pybind11::object known_options = pybind11::none();
 };
 
-/// Options that were in force, a dict by name; None if they are not known.
+/// Options that were in force, a dict by name; None if they are unknown.
 [[nodiscard]] pybind11::object result_options(const RunResult& result);
 
-/// Lets results be pickled and copied.
+/// Adds pickling and copying to the class of results.
 void pickle_result(pybind11::class_<RunResult>& result);
 
-/// What a result says about its path, as its file would.
+/// Claims of a result about its path, as its file would state them.
 [[nodiscard]] PathClaims claims_of(const RunResult& result);
 
-/// The path of a result or of a drive, or a path itself. Throws InputError naming "path" where
-/// there is none.
+/// Path of a result or a drive, or a path itself. Throws InputError naming "path" if there is none.
 [[nodiscard]] const Path& path_from(const pybind11::handle& given);
 
 }  // namespace vandplan::python

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// What pickle keeps of a result.
+// State of a result for pickle.
 
 #include <pybind11/stl.h>
 
@@ -25,7 +25,7 @@ Settings texts_of(const std::vector<Setting>& settings) {
   return texts;
 }
 
-/// Options of all planners, by the names and values of `--set`.
+/// Options of all planners, with the names and values of `--set`.
 Settings common_texts(const PlanOptions& options) {
   PlanOptions common = options;
   common.planner = {};
@@ -84,7 +84,7 @@ PathClaims claims_from(const py::handle& given) {
   return claims;
 }
 
-/// What there is beside the numbers of a plan: trace, counters, phases and tree.
+/// State of trace, counters, phases and tree.
 py::tuple state_of_trace(const PlanResult& plan) {
   py::list trace;
   for (const auto& [time, iteration, cost] : plan.anytime) {

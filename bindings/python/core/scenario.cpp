@@ -23,7 +23,7 @@ namespace vandplan::python {
 namespace {
 
 using namespace py::literals;
-using FileName = std::filesystem::path;  // from str and from os.PathLike
+using FileName = std::filesystem::path;  // Accepts str and os.PathLike.
 
 std::optional<OccupancyGrid> map_from(const py::object& grid, const py::object& resolution,
                                       const py::object& origin) {
@@ -112,7 +112,7 @@ CheckedScenario scenario_of(const FileName& file) {
   throw InputError(file.string(), "has a row of goals, which read_scenarios reads");
 }
 
-/// Writes the scenario, and a map that has no file yet beside it.
+/// Writes the scenario, and its map in files beside it.
 void save_scenario(const CheckedScenario& self, const FileName& name) {
   const std::string file = name.string();
   ScenarioFile content = self.file();
@@ -145,7 +145,7 @@ CheckedScenario among(const CheckedScenario& self, const std::vector<MovingObsta
   return self.with_moving(moving);
 }
 
-/// The text of its file, with the map beside it.
+/// State for pickle: the text of the scenario's file, and its map.
 py::tuple state_of_scenario(const CheckedScenario& self) {
   return py::make_tuple(to_yaml(self.file()), self.scenario().map);
 }
@@ -173,9 +173,11 @@ void bind_scenario_data(py::class_<CheckedScenario>& scenario) {
         name, [get](const CheckedScenario& self) { return get(self.scenario()); }, about);
   };
   property(
-      "name", [](const Scenario& s) { return s.name; }, "Its name, which results hold.");
+      "name", [](const Scenario& s) { return s.name; },
+      "Name of the scenario, which results state.");
   property(
-      "description", [](const Scenario& s) { return s.description; }, "What its file says.");
+      "description", [](const Scenario& s) { return s.description; },
+      "Description in the scenario's file.");
   property(
       "vehicle", [](const Scenario& s) { return s.vehicle; }, "The vehicle.");
   property(
@@ -183,21 +185,21 @@ void bind_scenario_data(py::class_<CheckedScenario>& scenario) {
       [](const Scenario& s) {
         return py::make_tuple(s.bounds.x_min, s.bounds.x_max, s.bounds.y_min, s.bounds.y_max);
       },
-      "Where the rear axle may be: (x_min, x_max, y_min, y_max) [m].");
+      "Range of the rear axle: (x_min, x_max, y_min, y_max) [m].");
   property(
-      "start", [](const Scenario& s) { return array_of(s.start); }, "[x, y, heading]");
+      "start", [](const Scenario& s) { return array_of(s.start); }, "Start pose [x, y, heading].");
   scenario.def_property_readonly(
       "goal", [](const CheckedScenario& self) { return array_of(self.problem().goal()); },
-      "[x, y, heading]; of a set of goals some pose of its first region.");
+      "Goal pose [x, y, heading]; with a set of goals, some pose of its first region.");
   property(
       "goal_set", [](const Scenario& s) { return s.goal_set; },
-      "The `GoalRegion` objects of a set of goals; empty if the goal is a pose.");
+      "Regions of a set of goals, `GoalRegion` objects; empty if the goal is a pose.");
   property(
       "start_curvature", [](const Scenario& s) { return s.curvatures.start; },
-      "How far the wheels are turned at the start [1/m].");
+      "Curvature that the wheels are turned to at the start [1/m].");
   property(
       "goal_curvature", [](const Scenario& s) { return s.curvatures.goal; },
-      "How far the wheels are turned at the goal [1/m].");
+      "Curvature that the wheels are turned to at the goal [1/m].");
   property(
       "start_hitch_angle", [](const Scenario& s) { return s.hitch_angles.start; },
       "Heading of the vehicle less that of its trailer at the start [rad].");
@@ -206,18 +208,18 @@ void bind_scenario_data(py::class_<CheckedScenario>& scenario) {
       "Heading of the vehicle less that of its trailer at the goal [rad].");
   property(
       "obstacles", [](const Scenario& s) { return arrays_of(s.obstacles); },
-      "Polygons, each an array of the shape (N, 2).");
+      "Obstacles, polygons of shape (N, 2) [m].");
   property(
       "kerbs", [](const Scenario& s) { return arrays_of(s.kerbs); },
-      "Polygons that overhangs may swing over.");
+      "Kerbs, polygons that only the wheels must not touch [m].");
   property(
       "inside", [](const Scenario& s) { return arrays_of(s.inside); },
-      "Polygons, in one of which the whole body stays; none: anywhere.");
+      "Areas, in one of which the whole body must stay; empty: anywhere.");
   property(
       "grid", [](const Scenario& s) { return s.map; }, "The occupancy grid, or None.");
   property(
       "moving", [](const Scenario& s) { return s.moving; },
-      "What else moves: `MovingObstacle` objects.");
+      "Moving obstacles, `MovingObstacle` objects.");
   scenario.def_property_readonly(
       "options",
       [](const CheckedScenario& self) {
@@ -225,7 +227,7 @@ void bind_scenario_data(py::class_<CheckedScenario>& scenario) {
         for (const auto& [name, value] : self.options()) options[name.c_str()] = value;
         return options;
       },
-      "What it wants of planners, as text.");
+      "Planner options of the scenario by name, as text.");
 }
 
 void bind_scenario_class(py::module_& module) {
@@ -234,15 +236,21 @@ void bind_scenario_class(py::module_& module) {
     start_curvature=0, goal_curvature=0, start_hitch_angle=0, goal_hitch_angle=0, name="scenario",
     options={}, moving=(), inside=())
 
-What is to be planned, checked and unchangeable; metres and radians, counter-clockwise. `start` and
-`goal` are poses [x, y, heading] of the midpoint of the rear axle; `goal` may be a `GoalRegion` or a
-sequence of them, too. The rear axle has to stay in `bounds` (x_min, x_max, y_min, y_max); with a grid these are those of the grid unless given. `obstacles` and
-`kerbs` are simple polygons, arrays of the shape (N, 2); only the wheels keep off kerbs. `grid` is an
-`OccupancyGrid`, or a 2-D array with its `resolution` and `origin`. `vehicle` is a `Vehicle`, a name
-or a dict; None is a truck. With a trailer the hitch angles are the heading of the vehicle less that
-of its trailer. `options` are what this scenario wants of planners: {"margin": 0.3}. `moving` are
-`MovingObstacle` objects: what else moves while the vehicle drives. The whole body stays in one of the
-simple polygons of `inside`, if there are any.)");
+A planning problem, checked and immutable. Units are metres and radians.
+
+- `start`: pose [x, y, heading] of the midpoint of the rear axle.
+- `goal`: a pose, a `GoalRegion`, or a sequence of `GoalRegion` objects.
+- `bounds`: range of the rear axle (x_min, x_max, y_min, y_max); that of the grid by default.
+- `obstacles`, `kerbs`: simple polygons, arrays of shape (N, 2). Only the wheels keep off kerbs.
+- `inside`: simple polygons, in one of which the whole body must stay.
+- `grid`: an `OccupancyGrid`, or a 2-D array with its `resolution` and `origin`.
+- `moving`: `MovingObstacle` objects.
+- `vehicle`: a `Vehicle`, a name, or a dict; None: a truck.
+- `start_curvature`, `goal_curvature`: curvature that the wheels are turned to [1/m].
+- `start_hitch_angle`, `goal_hitch_angle`: heading of the vehicle less that of its trailer.
+- `options`: planner options of this scenario, such as {"margin": 0.3}.
+
+Raises InputError naming the argument that is wrong.)");
   scenario
       .def(py::init(&make_scenario), "start"_a, "goal"_a, py::kw_only(), "bounds"_a = py::none(),
            "obstacles"_a = py::tuple(), "kerbs"_a = py::tuple(), "grid"_a = py::none(),
@@ -253,18 +261,19 @@ simple polygons of `inside`, if there are any.)");
       .def("with_poses", &moved, "start"_a = py::none(), "goal"_a = py::none(),
            R"(with_poses(start=None, goal=None) -> Scenario
 
-The one with another start or goal. It shares the world, so that nothing is built again.)")
+Copy with another start or goal. It shares the world, so nothing is built again.)")
       .def("with_moving", &among, "moving"_a,
            R"(with_moving(moving) -> Scenario
 
-The one in which these `MovingObstacle` objects move, instead of those that moved before. It shares the
-world, so that nothing is built again.)")
+Copy with these `MovingObstacle` objects in place of the old ones. It shares the world, so nothing
+is built again.)")
       .def(
           "to_yaml", [](const CheckedScenario& self) { return to_yaml(self.file()); },
-          "to_yaml() -> str\n\nThe text of a scenario file; a grid stays in its own file.")
+          "to_yaml() -> str\n\nText of a scenario file. A grid is only named; `save` writes it "
+          "too.")
       .def("save", &save_scenario, "file"_a, R"(save(file)
 
-Writes a scenario file for the command line, and a grid beside it (.map.yaml, .map.pgm).)")
+Writes a scenario file for the command line, and a grid in files beside it (.map.yaml, .map.pgm).)")
       .def("__repr__", &scenario_text)
       .def(py::pickle(&state_of_scenario, &scenario_from_state))
       .def("__copy__", [](const CheckedScenario& self) { return self; })
@@ -358,9 +367,10 @@ void bind_scenario(py::module_& module) {
   bind_scenario_class(module);
   module.def("read_scenario", &scenario_of, "file"_a,
              "read_scenario(file) -> Scenario\n\nReads a scenario file (YAML) with one goal.");
-  module.def("read_scenarios", &scenarios_of, "file"_a,
-             "read_scenarios(file) -> list of Scenario\n\nReads a scenario file: one scenario, or "
-             "one for each goal of a row.");
+  module.def(
+      "read_scenarios", &scenarios_of, "file"_a,
+      "read_scenarios(file) -> list of Scenario\n\nReads a scenario file. Returns one scenario, or "
+      "one for each goal of a row.");
   module.def(
       "read_tpcap", [](const FileName& file) { return CheckedScenario(read_tpcap(file.string())); },
       "file"_a,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What is a scenario in Python?
+// How does Python see a scenario?
 
 #include <pybind11/pybind11.h>
 
@@ -15,33 +15,33 @@
 
 namespace vandplan::python {
 
-/// A scenario that was checked and does not change, with what its file wants of planners. Its world
-/// is built when it is needed first, and shared with copies that differ in their poses; so are its
-/// obstacles and its map, until one of these is asked for its own scenario.
+/// Checked, immutable scenario with the planner options of its file. The world is built at first
+/// use and shared with copies that differ in their poses. Obstacles and map are shared too, until a
+/// copy's own `scenario()` is called.
 class CheckedScenario {
  public:
   /// Throws InputError naming the key that is wrong.
   explicit CheckedScenario(Scenario scenario, std::vector<Setting> options = {});
 
-  /// With Python's lock.
+  /// Scenario; requires Python's lock.
   [[nodiscard]] const Scenario& scenario() const;
   [[nodiscard]] const std::vector<Setting>& options() const noexcept { return options_; }
 
-  /// The problem; with Python's lock, which it gives away while a world is built.
+  /// Problem; requires Python's lock, and releases it while a world is built.
   [[nodiscard]] const Problem& problem() const;
 
-  /// The one that differs in start and goal.
+  /// Copy with another start and goal.
   [[nodiscard]] CheckedScenario with_poses(const Pose& start, const Pose& goal,
                                            const EndCurvatures& curvatures) const;
 
-  /// The one that starts there, with a set of goals.
+  /// Copy with another start and a set of goals.
   [[nodiscard]] CheckedScenario with_goal_set(const Pose& start, const std::vector<GoalRegion>& set,
                                               double start_curvature) const;
 
-  /// The one in which these move.
+  /// Copy with other moving obstacles.
   [[nodiscard]] CheckedScenario with_moving(const std::vector<MovingObstacle>& moving) const;
 
-  /// As files hold it.
+  /// Content of a scenario file.
   [[nodiscard]] ScenarioFile file() const { return {.scenario = scenario(), .options = options_}; }
 
  private:
@@ -51,17 +51,18 @@ class CheckedScenario {
     EndCurvatures curvatures;
   };
   mutable std::shared_ptr<const Scenario> scenario_;
-  mutable std::optional<Ends> ends_ = {};  // those of the scenario, where they differ
+  /// Ends of the scenario where they differ from `scenario_`.
+  mutable std::optional<Ends> ends_ = {};
   std::vector<Setting> options_;
   mutable std::shared_ptr<const Problem> problem_;
 };
 
-/// A grid of an array, a resolution [m] and an origin. Throws InputError naming "grid" or a key of
-/// it.
+/// Map from an array, a resolution [m] and an origin. Throws InputError naming "grid" or one of its
+/// keys.
 [[nodiscard]] OccupancyGrid grid_from(const pybind11::object& given, double resolution,
                                       const pybind11::object& origin, bool unknown_is_free);
 
-/// A vehicle, the name of one, or a dict of its lengths.
+/// Vehicle from a `Vehicle`, a name, or a dict of lengths. None gives the default vehicle.
 [[nodiscard]] Vehicle vehicle_from(const pybind11::handle& given);
 
 }  // namespace vandplan::python

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// The signatures that docstrings begin with, in the form that `inspect.signature` reads.
+// How do docstrings get signatures in the form that `inspect.signature` reads?
 //
 // A docstring "plan(scenario, *, time=None) -> Result\n\nText" becomes "plan(scenario, *,
-// time=None)\n--\n\n-> Result\n\nText": Python takes the head off `__doc__` and reads it. Classes
-// say so about their `__init__`.
+// time=None)\n--\n\n-> Result\n\nText". Python removes the first part from `__doc__` and parses it.
+// For classes the signature belongs to `__init__`.
 
 #include <cstdlib>
 #include <cstring>
@@ -19,14 +19,14 @@ namespace {
 
 namespace py = pybind11;
 
-/// A docstring in parts.
+/// Parts of a docstring.
 struct Docstring {
-  std::string arguments = {};  ///< "(scenario, *, time=None)" in one line; empty if there are none
-  std::string returned = {};   ///< "Result"; or empty
+  std::string arguments = {};  ///< "(scenario, *, time=None)" on one line; empty if there are none.
+  std::string returned = {};   ///< "Result"; empty if there is none.
   std::string text = {};
 };
 
-/// Where the bracket at the front closes; npos if it does not.
+/// Position after the bracket that closes the first one; npos if it is not closed.
 std::size_t end_of_brackets(std::string_view text) {
   int open = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -37,7 +37,7 @@ std::size_t end_of_brackets(std::string_view text) {
   return std::string_view::npos;
 }
 
-/// Without line breaks and the spaces that follow them.
+/// Text with line breaks and indentation replaced by single spaces.
 std::string one_line(std::string_view text) {
   std::string line;
   for (const char c : text) {
@@ -68,7 +68,7 @@ std::string signed_text(const std::string& name, const Docstring& parts, bool is
   return doc + parts.text;
 }
 
-/// The function of C behind a function or method; null if there is none.
+/// C function behind a Python function or method; null if there is none.
 PyMethodDef* definition_of(py::handle function) {
   if (PyInstanceMethod_Check(function.ptr()) != 0) {
     function = PyInstanceMethod_GET_FUNCTION(function.ptr());
@@ -77,7 +77,7 @@ PyMethodDef* definition_of(py::handle function) {
   return reinterpret_cast<PyCFunctionObject*>(function.ptr())->m_ml;
 }
 
-/// Docstrings of functions are freed by pybind11 with `free`.
+/// Replaces a docstring. pybind11 frees docstrings with `free`.
 void replace_doc(PyMethodDef& definition, const std::string& doc) {
   std::free(const_cast<char*>(definition.ml_doc));
   definition.ml_doc = strdup(doc.c_str());
@@ -90,7 +90,7 @@ void sign(const std::string& name, const py::handle& function, bool is_method) {
   if (!parts.arguments.empty()) replace_doc(*definition, signed_text(name, parts, is_method));
 }
 
-/// Signs the methods of a class, and `__init__` with the head of the docstring of the class.
+/// Signs the methods of a class, and `__init__` with the head of the class's docstring.
 void sign_class(const std::string& name, const py::handle& type) {
   const auto members = py::dict(type.attr("__dict__"));
   auto* const static_type = reinterpret_cast<PyObject*>(&PyStaticMethod_Type);

@@ -57,7 +57,7 @@ py::dict motions_at(const PathDrive& self, const py::object& t) {
   return columns_of(motions);
 }
 
-/// As fast as it may be.
+/// Fastest drive of a vehicle along a path.
 PathDrive fastest_drive(const Path& path, const Vehicle& vehicle, double start_curvature) {
   return {path, vehicle, speed_profile(path, vehicle, {start_curvature})};
 }
@@ -93,7 +93,7 @@ constexpr std::array knot_numbers = {&SpeedKnot::t, &SpeedKnot::s, &SpeedKnot::v
 constexpr std::array stop_numbers = {&Stop::t, &Stop::s, &Stop::pause, &Stop::curvature_before,
                                      &Stop::curvature_after};
 
-/// Numbers of many values: a column for each member.
+/// Table with a row for each value and a column for each member.
 template <typename Value, std::size_t size>
 py::array_t<double> table_of(const std::vector<Value>& values,
                              const std::array<double Value::*, size>& members) {
@@ -170,10 +170,10 @@ SpeedProfile profile_from(const py::handle& given) {
 void bind_speed(py::module_& module) {
   ValueClass<PathDrive> drive(
       module, "SpeedProfile",
-      R"(A drive: a path and when the vehicle is where on it. It stands at the end ever after.)");
-  drive.field("path", &PathDrive::path, "The path that is driven.")
-      .field("vehicle", &PathDrive::vehicle, "The vehicle that drives.")
-      .field("start_speed", &PathDrive::start_speed, "Speed with which the drive begins [m/s].")
+      R"(A drive: a path with times and speeds. At its end the vehicle stands.)");
+  drive.field("path", &PathDrive::path, "Path that is driven.")
+      .field("vehicle", &PathDrive::vehicle, "Vehicle that drives.")
+      .field("start_speed", &PathDrive::start_speed, "Speed at the begin of the drive [m/s].")
       .part([](const PathDrive& self) { return profile_state(self.profile); },
             [](PathDrive& self, const py::handle& state) { self.profile = profile_from(state); });
   drive.pickled()
@@ -182,18 +182,23 @@ void bind_speed(py::module_& module) {
           "Duration of the whole drive [s].")
       .def_property_readonly(
           "standing", [](const PathDrive& self) { return self.profile.standing; },
-          "Time in which it stands and turns its wheels [s].")
-      .def_property_readonly("stops", &stops_of, R"(Where it stands on its way.
+          "Time during which the vehicle stands and turns its wheels [s].")
+      .def_property_readonly("stops", &stops_of, R"(Stops on the way, each a dict.
 
-Dicts of t [s], s [m], pause [s], curvature_before and curvature_after [1/m].)")
-      .def_property_readonly("knots", &knots_of, R"(Moments between which the acceleration is even.
+Keys: t [s], s [m], pause [s], curvature_before and curvature_after [1/m].)")
+      .def_property_readonly(
+          "knots", &knots_of,
+          R"(Knots of the speed profile, a dict of columns. Between knots the jerk is constant.
 
-Columns t [s], s [m], v [m/s], a [m/s^2], jerk [m/s^3] and bound, what keeps it from being faster.)")
+Keys: t [s], s [m], v [m/s], a [m/s^2], jerk [m/s^3], and bound, the limit until the next knot.)")
       .def("motions", &motions_of, "step"_a = 0.05, R"(motions(step=0.05) -> dict of arrays
 
-Columns t [s], s [m], x, y, heading, curvature [1/m], steering_angle [rad], direction, v [m/s] and a
-[m/s^2] at all multiples of `step` [s]; v is negative in reverse.)")
-      .def("at", &motions_at, "t"_a, "at(t) -> dict of arrays\n\nThe same columns at these times.")
+Motion at all multiples of `step` [s], a dict of columns.
+
+Keys: t [s], s [m], x, y, heading, curvature [1/m], steering_angle [rad], direction, v [m/s], a
+[m/s^2]. v is negative in reverse.)")
+      .def("at", &motions_at, "t"_a,
+           "at(t) -> dict of arrays\n\nMotion at these times [s], with the columns of `motions`.")
       .def("__repr__", [](const PathDrive& self) {
         return fmt::format("<vandplan.SpeedProfile: {:.2f} m in {:.2f} s, {} stops>",
                            length(self.path), self.profile.duration, self.profile.stops.size());
@@ -202,10 +207,12 @@ Columns t [s], s [m], x, y, heading, curvature [1/m], steering_angle [rad], dire
              "start_curvature"_a = 0.0,
              R"(speed_profile(path, vehicle=None, start_curvature=0) -> SpeedProfile
 
-The fastest drive along a `Path` of a vehicle, or along the path of a `Result`, within the limits of
-the vehicle. It stands wherever the gear changes or the curvature jumps until the wheels are turned;
-before the start they are turned to `start_curvature` [1/m]. A `Result` that was planned among
-what moves has a drive already, `Result.speeds`, which is returned.)");
+Fastest drive along a `Path`, or along the path of a `Result`, within the limits of the vehicle.
+
+The vehicle stops wherever the gear changes or the curvature jumps, until the wheels are turned.
+`start_curvature` is the curvature that they are turned to before the start [1/m]. `vehicle` is
+required for a `Path`. A `Result` that was planned among moving obstacles has a drive already,
+`Result.speeds`, which is returned.)");
 }
 
 }  // namespace vandplan::python

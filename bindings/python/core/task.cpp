@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// The task that a planner in Python is given, and its answer.
+// The task that a planner in Python receives, and its answer.
 
 #include "bindings/python/core/task.h"
 
@@ -23,7 +23,7 @@ using namespace py::literals;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// What a planner says beside its path.
+/// Answer of a planner in Python that has more than a path.
 struct Answer {
   py::object path = py::none();
   double lower_bound = 0.0;
@@ -33,7 +33,7 @@ struct Answer {
   py::object tree = py::none();
 };
 
-/// The segments of a path, or of paths that go on from each other.
+/// Segments of a path, or of consecutive paths.
 std::vector<Segment> segments_of(const py::handle& given) {
   if (py::isinstance<Path>(given)) return given.cast<const Path&>().segments;
   const auto expect = [](bool holds) {
@@ -50,7 +50,7 @@ std::vector<Segment> segments_of(const py::handle& given) {
   return all;
 }
 
-/// The poses of a tree in the frame of the world, as an answer has them.
+/// Tree with its poses in the frame of the world.
 TreeSnapshot tree_from(const py::handle& given, const World& world) {
   const auto pair = given.cast<std::pair<py::object, std::vector<std::int32_t>>>();
   const Poses poses(pair.first, "tree");
@@ -164,30 +164,31 @@ py::dict own_options(const PlanningTask& self) {
 void bind_task_data(py::class_<PlanningTask, std::shared_ptr<PlanningTask>>& task) {
   task.def_property_readonly(
           "start", [](const PlanningTask& self) { return in_scenario(self, self.task().start); },
-          "[x, y, heading]; it is free.")
+          "Start pose [x, y, heading]; it is free.")
       .def_property_readonly(
           "goal", [](const PlanningTask& self) { return in_scenario(self, self.task().goal); },
-          "[x, y, heading]; it is free.")
+          "Goal pose [x, y, heading]; it is free.")
       .def_property_readonly(
           "vehicle", [](const PlanningTask& self) { return self.task().vehicle; }, "The vehicle.")
       .def_property_readonly(
           "radius", [](const PlanningTask& self) { return self.task().vehicle.min_turning_radius; },
-          "Its turning radius [m].")
+          "Turning radius of the vehicle [m].")
       .def_property_readonly(
           "bounds",
           [](const PlanningTask& self) {
             return in_scenario(self, sampling_region(self.task(), Region::bounds));
           },
-          "Where the rear axle may be: (x_min, x_max, y_min, y_max).")
+          "Range of the rear axle: (x_min, x_max, y_min, y_max) [m].")
       .def_property_readonly(
           "scene",
           [](const PlanningTask& self) {
             return in_scenario(self, sampling_region(self.task(), Region::scene));
           },
-          "The box of start, goal and obstacles with 20 m around it, cut to the bounds.")
+          "Box of start, goal and obstacles plus 20 m, within the bounds: (x_min, x_max, y_min, "
+          "y_max) [m].")
       .def_property_readonly(
           "seed", [](const PlanningTask& self) { return self.options().budget.seed; },
-          "Where random numbers begin: numpy.random.default_rng(task.seed).")
+          "Seed of random numbers, for example numpy.random.default_rng(task.seed).")
       .def_property_readonly("options", &own_options, "The planner's own options by name.");
 }
 
@@ -232,9 +233,14 @@ void bind_task(py::module_& module) {
   py::class_<Answer>(module, "Answer", R"(Answer(path=None, *, lower_bound=0, proven=False,
     reason="", counters={}, tree=None)
 
-What a planner may return instead of a path alone. `lower_bound`: no path costs less [m]. `proven`,
-without a path: there is none. `reason`: why, one line. `counters`: what was counted, by name.
-`tree`: (poses, parents), parents before their children and -1 for the root.)")
+Return value of a planner that has more than a path.
+
+- `path`: a path, or a list of consecutive paths.
+- `lower_bound`: proven lower bound on the cost of all paths [m].
+- `proven`: without a path, whether it is proven that there is none.
+- `reason`: why there is no path, one line.
+- `counters`: counters by name.
+- `tree`: search tree (poses, parents); parents come before their children, -1 for the root.)")
       .def(py::init([](py::object path, double lower_bound, bool proven, std::string reason,
                        std::map<std::string, std::int64_t> counters, py::object tree) {
              return Answer{std::move(path),   lower_bound,         proven,
@@ -256,37 +262,38 @@ without a path: there is none. `reason`: why, one line. `counters`: what was cou
                           state[5]};
           }));
 
-  py::class_<PlanningTask, std::shared_ptr<PlanningTask>> task(module, "Task",
-                                                               R"(What a planner in Python is given.
+  py::class_<PlanningTask, std::shared_ptr<PlanningTask>> task(
+      module, "Task",
+      R"(Task of a planner in Python, with functions for planning.
 
-All poses are in the scenario's frame. A planner returns a path from `start` to `goal`, a list of paths that go on from each other, None, or an `Answer`.)");
+All poses are in the scenario's frame. A planner returns a path from `start` to `goal`, a list of
+consecutive paths, None, or an `Answer`.)");
   bind_task_data(task);
   task.def(
           "next", [](PlanningTask& self) { return self.budget().next(); },
-          "next() -> bool\n\nBegins the next iteration; False when the run has to end.")
+          "next() -> bool\n\nBegins the next iteration. False if the run must end.")
       .def_property_readonly(
           "elapsed", [](PlanningTask& self) { return self.budget().elapsed(); },
-          "Time since the run began [s].")
+          "Time since the begin of the run [s].")
       .def("is_free", &is_free, "what"_a, R"(is_free(what) -> bool or array of bool
 
-Whether the vehicle is free at a pose, at each pose of an array, or all along a path.)")
+Whether the vehicle is free at a pose, at each pose of an array, or along a whole path.)")
       .def("clearance", &clearance, "poses"_a, "most"_a = py::none(),
            R"(clearance(poses, most=None) -> float or array
 
-Distance from the nearest obstacle at each pose, no more than `most` unless that is None [m].)")
+Distance of the vehicle from the nearest obstacle at each pose, at most `most` [m].)")
       .def("steer", &steer, "start"_a, "goal"_a, R"(steer(start, goal) -> Path or None
 
-The cheapest way between two poses on open ground; there may be none where the curvature is
-continuous.)")
+Cheapest path between two poses on open ground. With continuous steering there may be none.)")
       .def("connect", &connect, "start"_a, "goal"_a, "cutoff"_a = py::none(),
            R"(connect(start, goal, cutoff=None) -> Path or None
 
-The way of `steer`, if nothing stands in it and it costs less than `cutoff` [m]; None: any cost.)")
+Path of `steer`, if it is free and costs less than `cutoff` [m]. None: any cost.)")
       .def("cost", &way_cost, "path"_a, R"(cost(path) -> float
 
-What a path, or a list of paths, costs: its length, unless the planner honours prices [m].)")
+Cost of a path or of a list of consecutive paths [m]; the length if prices are not honoured.)")
       .def("found", &PlanningTask::found, "cost"_a,
-           "found(cost)\n\nNotes when the best path so far was found, for `Result.trace`.");
+           "found(cost)\n\nRecords the time of a new best path for `Result.trace`.");
 }
 
 }  // namespace vandplan::python

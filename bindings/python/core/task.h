@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What is a planner in Python given, and what does it answer?
+// What does a planner in Python receive, and what does it return?
 
 #include <pybind11/pybind11.h>
 
@@ -12,7 +12,7 @@
 
 namespace vandplan::python {
 
-/// A task with what planners are made of, all in one.
+/// Task together with the connector, cost rule and budget that planners use.
 class PlanningTask {
  public:
   PlanningTask(const Task& task, const PlanOptions& options);
@@ -23,14 +23,14 @@ class PlanningTask {
   [[nodiscard]] const PlanOptions& options() const noexcept { return options_; }
   [[nodiscard]] const search::CostRule& rule() const noexcept { return rule_; }
   [[nodiscard]] search::Connector& connector() noexcept { return connector_; }
-  /// Throws InputError once the run is over.
+  /// Budget of the run. Throws InputError after the run.
   [[nodiscard]] search::Budget& budget();
 
-  /// Notes that a path of this cost is the best so far.
+  /// Records that a path of this cost is the best so far.
   void found(double cost);
   [[nodiscard]] const std::vector<CostSample>& trace() const noexcept { return trace_; }
 
-  /// The run is over: nobody may ask for its budget any more.
+  /// Ends the use of the budget; called when the run is over.
   void close() noexcept { budget_.reset(); }
 
  private:
@@ -42,7 +42,8 @@ class PlanningTask {
   std::vector<CostSample> trace_;
 };
 
-/// What a function of Python returned, as an answer: None, a path, a list of paths, or an `Answer`.
+/// Answer of a planner from what its Python function returned: None, a path, a list of paths, or an
+/// `Answer`.
 [[nodiscard]] PlannerAnswer answer_from(const pybind11::handle& returned, PlanningTask& task);
 
 void bind_task(pybind11::module_& module);

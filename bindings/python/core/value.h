@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How does a struct become a class of Python that can be read, copied and pickled?
+// How does a struct become a Python class that can be read, copied and pickled?
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -14,8 +14,7 @@
 
 namespace vandplan::python {
 
-/// A class whose values do not change. Pickle and copy make another one from the parts that were
-/// named here.
+/// Python class with immutable values. Pickling and copying use the parts that are named here.
 template <typename T>
 class ValueClass {
  public:
@@ -23,7 +22,7 @@ class ValueClass {
   ValueClass(pybind11::module_& module, const char* name, const Extra&... about)
       : bound_(module, name, about...) {}
 
-  /// A part that can be read.
+  /// Adds a readable member, which is also a part for pickle.
   template <typename Member, typename Base>
   ValueClass& field(const char* name, Member Base::*member, const char* about) {
     bound_.def_property_readonly(
@@ -31,7 +30,7 @@ class ValueClass {
     return part(member);
   }
 
-  /// A part for pickle alone.
+  /// Adds a member as a part for pickle only.
   template <typename Member, typename Base>
   ValueClass& part(Member Base::*member) {
     return part(
@@ -45,7 +44,7 @@ class ValueClass {
     return *this;
   }
 
-  /// Ends the list of the parts; other methods may follow.
+  /// Finishes the list of parts. Other methods may be added to the returned class.
   pybind11::class_<T>& pickled() {
     const auto state_of = [parts = parts_](const T& self) {
       pybind11::tuple state(parts.size());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// Vehicles: keyword arguments with the names that scenario files use.
+// Vehicles, from keywords with the names of scenario files.
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -20,7 +20,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// A number of a vehicle by its name in files.
+/// Number of a vehicle, with its name in files.
 struct Field {
   const char* name;
   void (*set)(Vehicle&, double);
@@ -31,40 +31,41 @@ struct Field {
 constexpr std::array fields = {
     Field{"wheelbase", [](Vehicle& v, double x) { v.wheelbase = x; },
           [](const Vehicle& v) { return std::optional(v.wheelbase); },
-          "Rear axle to front axle [m]."},
+          "Distance from rear axle to front axle [m]."},
     Field{"front_overhang", [](Vehicle& v, double x) { v.front_overhang = x; },
           [](const Vehicle& v) { return std::optional(v.front_overhang); },
-          "Front axle to front bumper [m]."},
+          "Distance from front axle to front bumper [m]."},
     Field{"rear_overhang", [](Vehicle& v, double x) { v.rear_overhang = x; },
           [](const Vehicle& v) { return std::optional(v.rear_overhang); },
-          "Rear axle to rear bumper [m]."},
+          "Distance from rear axle to rear bumper [m]."},
     Field{"width", [](Vehicle& v, double x) { v.width = x; },
           [](const Vehicle& v) { return std::optional(v.width); }, "Width of the body [m]."},
     Field{"min_turning_radius", [](Vehicle& v, double x) { v.min_turning_radius = x; },
           [](const Vehicle& v) { return std::optional(v.min_turning_radius); },
-          "Of the midpoint of the rear axle at full steering [m]."},
+          "Turning radius of the midpoint of the rear axle at full steering [m]."},
     Field{"track_width", [](Vehicle& v, double x) { v.track_width = x; },
           [](const Vehicle& v) { return v.track_width; },
           "Width over the wheels of an axle [m]; None: as wide as the body."},
     Field{"max_steering_rate", [](Vehicle& v, double x) { v.limits.max_steering_rate = x; },
           [](const Vehicle& v) { return std::optional(v.limits.max_steering_rate); },
-          "Of the front wheel of a bicycle [rad/s]."},
-    Field{"max_curvature_rate", [](Vehicle& v, double x) { v.limits.max_curvature_rate = x; },
-          [](const Vehicle& v) { return v.limits.max_curvature_rate; },
-          "Change of curvature per metre driven [1/m^2]; None: what the steering rate allows."},
+          "Largest rate of the front wheel's angle in a bicycle model [rad/s]."},
+    Field{
+        "max_curvature_rate", [](Vehicle& v, double x) { v.limits.max_curvature_rate = x; },
+        [](const Vehicle& v) { return v.limits.max_curvature_rate; },
+        "Largest change of curvature per metre driven [1/m^2]; None: as the steering rate allows."},
     Field{"max_acceleration", [](Vehicle& v, double x) { v.limits.max_acceleration = x; },
           [](const Vehicle& v) { return std::optional(v.limits.max_acceleration); },
-          "Along the path, gaining speed [m/s^2]."},
+          "Largest acceleration along the path [m/s^2]."},
     Field{"max_braking", [](Vehicle& v, double x) { v.limits.max_braking = x; },
           [](const Vehicle& v) { return v.limits.max_braking; },
-          "Losing speed [m/s^2]; None: as `max_acceleration`."},
+          "Largest braking along the path [m/s^2]; None: as `max_acceleration`."},
     Field{"max_lateral_acceleration",
           [](Vehicle& v, double x) { v.limits.max_lateral_acceleration = x; },
           [](const Vehicle& v) { return std::optional(v.limits.max_lateral_acceleration); },
-          "speed^2 * |curvature| [m/s^2]."},
+          "Largest lateral acceleration, speed^2 * |curvature| [m/s^2]."},
     Field{"max_jerk", [](Vehicle& v, double x) { v.limits.max_jerk = x; },
           [](const Vehicle& v) { return v.limits.max_jerk; },
-          "Change of the acceleration [m/s^3]; None: any."},
+          "Largest change of the acceleration [m/s^3]; None: unlimited."},
 };
 
 constexpr const char* steering_key = "max_steering_angle";
@@ -131,7 +132,7 @@ std::optional<Trailer> trailers_from(const py::handle& value) {
   return list.size() == 0 ? std::nullopt : std::optional(trailer_from(list[0]));
 }
 
-/// Takes over a value that is no number, or belongs to a trailer; false if the name is unknown.
+/// Sets a value that is no number, or belongs to a trailer; false if the name is unknown.
 bool set_other(Vehicle& vehicle, const std::string& name, const py::handle& value) {
   if (name == "max_speed") {
     vehicle.limits.max_speed = speeds_from(value);
@@ -185,7 +186,7 @@ Vehicle vehicle_of(const py::dict& values) {
   return vehicle;
 }
 
-/// The corners as pairs; None if there are none.
+/// Corners as a list of pairs; None if there are none.
 py::object list_of(const Polygon& outline) {
   if (outline.empty()) return py::none();
   py::list corners;
@@ -239,21 +240,30 @@ Vehicle vehicle_from(const py::handle& given) {
 void bind_vehicle(py::module_& module) {
   py::class_<Vehicle> vehicle(module, "Vehicle", R"(Vehicle(**lengths_and_limits)
 
-The lengths of a rigid vehicle that steers at the front [m], and how fast it may be driven. Keywords
-are those of scenario files: wheelbase, front_overhang, rear_overhang, width, min_turning_radius
-or, in its place, max_steering_angle [rad], track_width; max_steering_rate [rad/s], max_curvature_rate [1/m^2], max_speed (forward, reverse)
-[m/s], max_acceleration, max_braking, max_lateral_acceleration [m/s^2], max_jerk [m/s^3]. What is
-not given is that of a truck. outline: corners (N, 2) of a convex body around the midpoint of the
-rear axle, in place of the rectangle of the lengths. trailers: a list with one dict of wheelbase
-(hitch to axle), front_overhang, rear_overhang, width and, if it has one, outline; beside it hitch,
-its x in the vehicle frame [m], and max_hitch_angle [rad].)");
+Rigid vehicle with front steering: its lengths and its limits of motion.
+
+Keywords are those of scenario files. Missing ones have the values of a truck.
+
+- wheelbase, front_overhang, rear_overhang, width, track_width [m]
+- min_turning_radius [m], or in its place max_steering_angle [rad]
+- max_steering_rate [rad/s], max_curvature_rate [1/m^2]
+- max_speed: (forward, reverse) [m/s]
+- max_acceleration, max_braking, max_lateral_acceleration [m/s^2], max_jerk [m/s^3]
+- outline: corners of a convex body in the vehicle frame [m], shape (N, 2), in place of the
+  rectangle
+- trailers: a list with one dict of wheelbase (hitch to axle), front_overhang, rear_overhang, width
+  and perhaps outline
+- hitch: x of the hitch in the vehicle frame [m]; max_hitch_angle [rad]
+
+Raises InputError naming the keyword that is wrong.)");
   vehicle.def(py::init([](const py::kwargs& values) { return vehicle_of(values); }))
       .def_static("named", &vehicle_named, py::arg("name"),
-                  "named(name) -> Vehicle\n\nA vehicle of the catalogue, such as \"city-bus\".")
-      .def_static("names", &vehicle_names, "names() -> list of str\n\nWhat the catalogue has.")
+                  "named(name) -> Vehicle\n\nVehicle of the catalogue, such as \"city-bus\".")
+      .def_static("names", &vehicle_names,
+                  "names() -> list of str\n\nNames of the catalogue's vehicles.")
       .def("as_dict", &dict_of_vehicle, R"(as_dict() -> dict
 
-Every value by its keyword: `Vehicle(**{**vehicle.as_dict(), "width": 2.4})` is a narrower one.)")
+All values by keyword. `Vehicle(**{**vehicle.as_dict(), "width": 2.4})` is a narrower vehicle.)")
       .def("__eq__", [](const Vehicle& self, const Vehicle& other) { return self == other; })
       .def("__eq__", [](const Vehicle&, const py::object&) { return false; })
       .def("__repr__", &vehicle_text)
@@ -265,23 +275,23 @@ Every value by its keyword: `Vehicle(**{**vehicle.as_dict(), "width": 2.4})` is 
   vehicle.def_property_readonly(
       steering_key,
       [](const Vehicle& self) { return steering_angle(self, 1.0 / self.min_turning_radius); },
-      "Of the front wheel of a bicycle at full steering [rad].");
+      "Angle of the front wheel in a bicycle model at full steering [rad].");
   vehicle.def_property_readonly(
       "max_speed",
       [](const Vehicle& self) {
         return py::make_tuple(self.limits.max_speed.forward, self.limits.max_speed.reverse);
       },
-      "Largest speeds, forward and in reverse [m/s].");
+      "Largest speeds (forward, reverse) [m/s].");
   vehicle.def_readonly("hitch", &Vehicle::hitch,
                        "x of the hitch in the vehicle frame [m]; negative behind the rear axle.");
   vehicle.def_readonly("max_hitch_angle", &Vehicle::max_hitch_angle,
-                       "Largest angle between the vehicle and its trailer [rad].");
+                       "Largest absolute hitch angle [rad].");
   vehicle.def_property_readonly(
       "outline",
       [](const Vehicle& self) { return array_of(std::span<const Point>(body_outline(self))); },
-      "Corners of the body in the vehicle frame, counter-clockwise; shape (N, 2).");
+      "Corners of the body in the vehicle frame [m], counter-clockwise; shape (N, 2).");
   vehicle.def_property_readonly("trailers", &trailers_of,
-                                "A list with a dict of the trailer, or an empty one.");
+                                "List with a dict of the trailer; empty without a trailer.");
   vehicle.attr("__hash__") = py::none();
 }
 

@@ -9,8 +9,9 @@
     result = vp.plan(scenario, time=0.5)
     print(result.path.poses(step=1.0))
 
-Metres, radians, counter-clockwise; a pose [x, y, heading] is that of the midpoint of the rear axle.
-numpy, pandas and matplotlib are imported when they are needed first.
+Units are metres, radians and seconds; headings count counter-clockwise from the x axis. A pose
+[x, y, heading] is that of the midpoint of the rear axle. numpy, pandas and matplotlib are imported
+at their first use.
 """
 
 from vandplan._core import (

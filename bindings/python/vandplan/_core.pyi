@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026, the Vändplan authors
 #
-# Types of what is written in C++; what it does is said by help().
+# Types of the C++ part of the module. help() describes it.
 
 import os
 from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
@@ -15,7 +15,7 @@ __version__: str
 
 _Floats = NDArray[np.float64]
 _Bounds = tuple[float, float, float, float]
-_Pose = Union[tuple[float, float, float], list[float]]  # one, for which numbers are given back
+_Pose = Union[tuple[float, float, float], list[float]]  # one pose: functions return numbers, not arrays
 _File = Union[str, os.PathLike[str]]
 _Option = Union[bool, int, float, str]
 _Returned = Union[Path, Sequence[Path], Answer, None]

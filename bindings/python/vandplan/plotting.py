@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026, the Vändplan authors
-"""Scenarios and paths in figures of matplotlib."""
+"""Draws scenarios and paths with matplotlib."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import math
 
 from vandplan._core import Path, Result, Scenario, SpeedProfile
 
-TYPE_CHECKING = False  # importing typing takes longer than all the rest
+TYPE_CHECKING = False  # importing typing takes longer than everything else
 if TYPE_CHECKING:
     import numpy as np
     from matplotlib.axes import Axes
@@ -24,7 +24,7 @@ _GOAL = "#8e24aa"
 
 
 def _outlines(scenario: Scenario, poses: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The four corners of the body at each pose; shape (N, 4, 2)."""
+    """Corners of the body at each pose [m]; shape (N, 4, 2)."""
     import numpy as np
 
     v = scenario.vehicle
@@ -120,11 +120,11 @@ def plot(
     result: Result | SpeedProfile | Path | None = None,
     ax: Axes | None = None,
 ) -> Axes:
-    """Draws a scenario, and a result, drive or path in it, with matplotlib; returns the axes.
+    """Draws a scenario with matplotlib, and a result, drive or path in it. Returns the axes.
 
-    Obstacles are grey, kerbs brown, what the vehicle sweeps is light blue; the path is blue forward
-    and orange in reverse, the vehicle green at the start and purple at the goal. Axes are in metres.
-    Without `ax` a new figure is made.
+    Obstacles are grey, kerbs brown, the swept area is light blue. The path is blue forward and
+    orange in reverse; the vehicle is green at the start and purple at the goal. Axes are in metres.
+    Without `ax` a new figure is made. Raises TypeError for a wrong type.
     """
     import numpy as np
 

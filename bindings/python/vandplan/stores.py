@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026, the Vändplan authors
-"""Result stores of comparisons as data frames."""
+"""Reads result stores of comparisons as data frames."""
 
 from __future__ import annotations
 
-TYPE_CHECKING = False  # importing typing takes longer than all the rest
+TYPE_CHECKING = False  # importing typing takes longer than everything else
 if TYPE_CHECKING:
     import os
 
@@ -35,10 +35,15 @@ def _refusal(where: object, problem: str) -> Exception:
 def read_store(file: str | os.PathLike[str]) -> pandas.DataFrame:
     """Every run of a result store (SQLite) as a row of a pandas data frame.
 
-    Columns: scenario, goal (its number in a row of goals), planner, region, seed, status, reason;
-    cost and length of the path [m], NaN without one; first_time [s] and first_cost [m] of the first
-    path; time_total [s], iterations, nodes, exact_solves, edge_checks; started, and options (JSON).
-    Stores come from `compare` and from `vandplan evaluate`.
+    Stores come from `compare` and from `vandplan evaluate`. Columns:
+
+    - scenario, goal (its number in a row of goals), planner, region, seed, status, reason
+    - cost and length of the path [m], NaN without a path
+    - first_time [s] and first_cost [m] of the first path
+    - time_total [s], iterations, nodes, exact_solves, edge_checks
+    - started, options (JSON)
+
+    Raises InputError naming the file if it is missing or no result store.
     """
     import pathlib
     import sqlite3

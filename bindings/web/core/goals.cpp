@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// Goals of JavaScript: a pose, or several, with the keys of a scenario file.
+// Goals in JavaScript: one pose, or a set, with the keys of a scenario file.
 
 #include "bindings/web/core/values.h"
 #include "vandplan/input_error.h"
@@ -16,7 +16,7 @@ bool is_list(const val& object, const char* key) {
   return has(object, key) && object[key].isArray();
 }
 
-/// A number, or a list of two.
+/// Interval from a number, or from a list of two.
 Interval interval_from(const val& given, const std::string& where) {
   if (!given.isArray()) return {number_from(given, where), number_from(given, where)};
   if (given["length"].as<std::size_t>() != 2) throw InputError(where, "expected two numbers");

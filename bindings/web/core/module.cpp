@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// What a page may call. An InputError leaves as {error: {where, problem}}, of which the module's
-// JavaScript makes an exception.
+// Functions for JavaScript. An InputError is returned as {error: {where, problem}}; vandplan.js
+// throws it.
 
 #include <emscripten/bind.h>
 
@@ -23,7 +23,7 @@
 namespace vandplan::web {
 namespace {
 
-/// The value of `work()`, or what is wrong with the input.
+/// Result of `work()`, or an object with the error of the input.
 template <typename Work>
 val guarded(Work work) {
   try {
@@ -40,7 +40,7 @@ val guarded(Work work) {
 
 // ---- planning ----
 
-/// Options of the planner from an object of numbers, words and flags; null is passed over.
+/// Planner options from an object of numbers, words and flags; null values are ignored.
 PlanOptions options_from(const Planner& planner, const val& given, const Vehicle& vehicle) {
   PlanOptions options;
   if (given.isUndefined() || given.isNull()) return complete(planner, options, vehicle);
@@ -68,13 +68,13 @@ val rows_of(std::span<const Motion> motions) {
   return array_of(std::span<const double>(rows));
 }
 
-/// Where the vehicle is when among what moves; null where nothing does.
+/// Rows of the drive among moving obstacles; null if there is none.
 val drive_of(const PlanResult& result, const Vehicle& vehicle) {
   if (!result.path || !result.speeds) return val::null();
   return rows_of(sampled(*result.path, vehicle, *result.speeds, 0.05));
 }
 
-/// The planner that is named, or the default one, which may begin with a known path.
+/// Planner with the given name, or the default one, which may begin with a known path.
 Planner planner_of(const val& query) {
   const Planner planner =
       has(query, "planner") ? planner_named(query["planner"].as<std::string>()) : default_planner();
@@ -85,7 +85,7 @@ Planner planner_of(const val& query) {
   return warm_started(path_from(query["warm_start"]));
 }
 
-/// A scenario whose world is built once: start, goal and vehicle may then be others each time.
+/// Scenario whose world is built once. Start, goal and vehicle may differ in each query.
 class Yard {
  public:
   explicit Yard(const val& given)
@@ -93,7 +93,7 @@ class Yard {
         problem_(make_problem(scenario_)),
         world_(problem_.world()) {}
 
-  /// Plans with {planner, options, warm_start}, and {start, goal, vehicle} where they are given.
+  /// Plans with {planner, options, warm_start}, and {start, goal, vehicle} if they are given.
   [[nodiscard]] val plan(const val& query) const {
     allow_only(query, {"planner", "options", "start", "goal", "vehicle", "warm_start"}, "query");
     const Planner planner = planner_of(query);
@@ -106,7 +106,7 @@ class Yard {
     return object;
   }
 
-  /// Lets the judge look at a path: {path, margin, margin_ramp, steering, gears, start, goal,
+  /// Checks a path with the judge: {path, margin, margin_ramp, steering, gears, start, goal,
   /// vehicle}.
   [[nodiscard]] val check(const val& query) const {
     allow_only(query,
@@ -120,8 +120,7 @@ class Yard {
     return object_of(check_path(problem_of(query), path_from(query["path"]), claims));
   }
 
-  /// Whether the vehicle touches nothing at a pose, its trailer neither, and keeps its margin:
-  /// {pose, vehicle, margin}.
+  /// Whether vehicle and trailer are free at a pose and keep the margin: {pose, vehicle, margin}.
   [[nodiscard]] val is_free(const val& query) const {
     allow_only(query, {"pose", "vehicle", "margin"}, "query");
     const Vehicle vehicle =
@@ -158,7 +157,7 @@ class Yard {
 
 std::vector<std::unique_ptr<Yard>> yards;
 
-/// The number of a new yard.
+/// Builds a yard and returns its number.
 val open_yard(const val& scenario) {
   return guarded([&] {
     auto yard = std::make_unique<Yard>(scenario);
@@ -193,7 +192,7 @@ val is_free_in(std::size_t yard, const val& query) {
 
 // ---- paths ----
 
-/// Rows of s, x, y, heading, curvature, direction, at most `step` metres apart.
+/// Rows s, x, y, heading, curvature, direction, at most `step` metres apart.
 val sampled_path(const val& given, double step) {
   return guarded([&] {
     if (!(step >= 1e-3)) throw InputError("step", "expected at least 0.001 m");
@@ -206,7 +205,7 @@ val sampled_path(const val& given, double step) {
   });
 }
 
-/// Rows of t, s, x, y, heading, curvature, v of the fastest drive, at most `step` seconds apart.
+/// Rows t, s, x, y, heading, curvature, v of the fastest drive, at most `step` seconds apart.
 val driven_path(const val& given, const val& vehicle, double step) {
   return guarded([&] {
     if (!(step >= 1e-3)) throw InputError("step", "expected at least 0.001 s");
@@ -216,7 +215,7 @@ val driven_path(const val& given, const val& vehicle, double step) {
   });
 }
 
-/// Rows of x, y, heading of the trailer at each place that `sampled_path` has with that step.
+/// Rows x, y, heading of the trailer, at the places of `sampled_path` with this step.
 val trailed_path(const val& given, const val& vehicle, double hitch_angle, double step) {
   return guarded([&] {
     if (!(step >= 1e-3)) throw InputError("step", "expected at least 0.001 m");
@@ -234,7 +233,7 @@ val trailed_path(const val& given, const val& vehicle, double hitch_angle, doubl
   });
 }
 
-/// Where the vehicle and its trailer are after a segment.
+/// Pose and hitch angle after a segment.
 val advanced(const val& given, const val& vehicle, double curvature, double length) {
   return guarded([&] {
     const Vehicle checked = vehicle_from(vehicle);
@@ -256,7 +255,7 @@ double radius_from(double radius) {
   return radius;
 }
 
-/// Every word that joins two poses, the shortest first.
+/// Paths of all words that join two poses, shortest first.
 val words_between(const val& from, const val& to, double radius, bool reverse) {
   return guarded([&] {
     const Pose begin = pose_from(from, "from");
@@ -270,7 +269,7 @@ val words_between(const val& from, const val& to, double radius, bool reverse) {
   });
 }
 
-/// The shortest path between two poses.
+/// Shortest path between two poses.
 val steered(const val& from, const val& to, double radius, bool reverse) {
   return guarded([&] {
     const Pose begin = pose_from(from, "from");
@@ -281,7 +280,7 @@ val steered(const val& from, const val& to, double radius, bool reverse) {
   });
 }
 
-/// What each measure says of the way from every node to one sample [m].
+/// Lengths from each node to one sample by a measure [m].
 void measure_all(const std::string& measure, const PoseColumns& nodes, const Pose& sample,
                  double radius, std::span<float> out) {
   if (measure == "reeds-shepp") {
@@ -303,7 +302,7 @@ void measure_all(const std::string& measure, const PoseColumns& nodes, const Pos
   }
 }
 
-/// Estimated lengths from nodes to a sample: columns x, y and heading of equal sizes.
+/// Lengths from nodes to a sample. `columns`: x, y and heading of equal sizes.
 val distances(const std::string& measure, const val& columns, const val& sample, double radius) {
   return guarded([&] {
     const auto x = emscripten::convertJSArrayToNumberVector<float>(columns["x"]);
@@ -318,7 +317,7 @@ val distances(const std::string& measure, const val& columns, const val& sample,
   });
 }
 
-// ---- what there is ----
+// ---- planners and prices ----
 
 val options_of(const Planner& planner) {
   val list = val::array();

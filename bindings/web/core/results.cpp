@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// What a plan and the judge's verdict are in JavaScript.
+// JavaScript objects of plans and of the judge's verdicts.
 
 #include <cstdint>
 #include <optional>

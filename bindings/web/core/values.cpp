@@ -60,7 +60,8 @@ OccupancyGrid map_from(const val& given) {
       .rows = count_at(given, "rows", "map", 1e6),
       .unknown_is_free = has(given, "unknown") && given["unknown"].as<std::string>() == "free"};
   const std::int64_t size = std::int64_t{map.columns} * map.rows;
-  constexpr std::int64_t most = 100'000'000;  // that 32 bits have room for, with a world of them
+  // Fits into 32 bits of memory, together with its world.
+  constexpr std::int64_t most = 100'000'000;
   if (size > most) throw InputError("map.cells", "are more than 100 million");
   const auto numbers = emscripten::convertJSArrayToNumberVector<std::uint8_t>(given["cells"]);
   if (static_cast<std::int64_t>(numbers.size()) != size) {
@@ -101,8 +102,8 @@ void add_limits(const val& given, DrivingLimits& limits) {
   if (has(given, "max_jerk")) limits.max_jerk = number_at(given, "max_jerk", "vehicle");
 }
 
-/// Lengths and outline of the body of a vehicle or a trailer. With an outline the lengths of the
-/// body may be left out: they are those of the box around it then.
+/// Reads lengths and outline of the body of a vehicle or trailer. With an outline the lengths may
+/// be missing; they are then those of the box around it.
 void read_body(const val& given, const std::string& where, auto& body) {
   body.wheelbase = number_at(given, "wheelbase", where);
   const bool has_outline = has(given, "outline");
@@ -122,7 +123,7 @@ void read_body(const val& given, const std::string& where, auto& body) {
   read("width", body.width);
 }
 
-/// The least turning radius, or that of the largest steering angle that is given in its place.
+/// Turning radius, given as such or by `max_steering_angle`.
 double radius_at(const val& given, double wheelbase) {
   if (!has(given, "max_steering_angle")) return number_at(given, "min_turning_radius", "vehicle");
   if (has(given, "min_turning_radius")) {

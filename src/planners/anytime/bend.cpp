@@ -11,8 +11,9 @@ namespace {
 
 constexpr std::size_t most_waiting = 6;
 constexpr std::size_t most_challenging = 4;
-constexpr std::int64_t grace = 30;      // trials: new ones are told apart by what they cost
-constexpr double hopeless_drive = 6.0;  // excess over the cheapest drive, times the trials
+/// Trials added when doubts are compared, so that the cost of new drives counts.
+constexpr std::int64_t grace = 30;
+constexpr double hopeless_drive = 6.0;  // doubt above which a challenger is dropped
 
 }  // namespace
 
@@ -35,7 +36,8 @@ void Bender::offer(std::vector<Segment> segments) {
   wait({std::move(segments), std::numeric_limits<double>::infinity()});
 }
 
-/// The cheapest one comes first: following another one may take long, and be in vain.
+/// Lets a route wait so that the cheapest is next: following a dear one may take long and be in
+/// vain.
 void Bender::wait(Waiting route) {
   const auto is_dearer = [](const Waiting& a, const Waiting& b) { return a.cost > b.cost; };
   waiting_.insert(std::ranges::upper_bound(waiting_, route, is_dearer), std::move(route));
@@ -48,7 +50,7 @@ std::int64_t Bender::checks() const {
   return sum;
 }
 
-/// True if a challenger drives along the segments now.
+/// Makes a challenger that drives along the segments. True if there is one.
 bool Bender::drive_along(std::span<const Segment> segments) {
   const auto drive = commands::commands_along(task_, segments);
   ++checks_;
@@ -56,8 +58,7 @@ bool Bender::drive_along(std::span<const Segment> segments) {
   return drive.has_value();
 }
 
-/// How little a challenger promises: by how much it is dearer than the best drive, times the trials
-/// that it took and so many more.
+/// Doubt of a challenger: its relative excess over the best drive, times its trials and `more`.
 double Bender::doubt(const Challenger& challenger, std::int64_t more) const {
   if (!best_) return 0.0;
   const double excess = challenger.drive->cost() / best_->cost() - 1.0;
@@ -69,7 +70,7 @@ void Bender::drop(std::size_t i) {
   challengers_.erase(challengers_.begin() + static_cast<std::ptrdiff_t>(i));
 }
 
-/// The challenger becomes the best drive if it is cheaper now.
+/// Makes challenger `i` the best drive if it is cheaper. True if so.
 bool Bender::challenge(std::size_t i) {
   Challenger& challenger = challengers_[i];
   if (best_ && challenger.drive->cost() >= best_->cost()) return false;
@@ -91,12 +92,12 @@ void Bender::add(std::span<const Segment> drive) {
       task_, rule_, drive, stream_seed(seed_, drives_++), measure_)});
 }
 
-/// Takes a route that waits. True if it is cheaper than the best drive.
+/// Makes a drive of the next waiting route. True if it is cheaper than the best drive.
 bool Bender::begin() {
   const Waiting route = std::move(waiting_.back());
   waiting_.pop_back();
   if (drive_along(route.segments)) return challenge(challengers_.size() - 1);
-  // What is no free route, or none when the wheels turn at once, is not worth it.
+  // Following is not worth it for a path that may be blocked, nor if the wheels turn at once.
   if (route.cost == std::numeric_limits<double>::infinity() || wheels_.are_free()) return false;
   follower_.follow(route.segments);
   followed_cost_ = route.cost;
@@ -104,7 +105,7 @@ bool Bender::begin() {
   return false;
 }
 
-/// The same of one that is followed part by part.
+/// Goes on following a route. True if that ends with a drive cheaper than the best drive.
 bool Bender::follow() {
   if (follower_.step()) return false;
   is_following_ = false;
@@ -114,7 +115,7 @@ bool Bender::follow() {
   return challenge(challengers_.size() - 1);
 }
 
-/// The one that promises most, the newest one of those.
+/// Index of the challenger with the least doubt; the newest of equal ones.
 std::size_t Bender::next_challenger() const {
   std::size_t next = challengers_.size() - 1;
   for (std::size_t i = next; i-- > 0;) {

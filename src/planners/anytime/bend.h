@@ -22,31 +22,31 @@ namespace vandplan::anytime {
 
 using namespace search;
 
-/// Takes routes as drives by commands, whose curvatures may be any, and makes the cheapest of them
-/// cheaper: it and another one in turns.
+/// Makes drives of routes, with commands of any curvature, and makes the cheapest drive cheaper.
+/// Trials alternate between that drive and its challengers.
 class Bender {
  public:
   using Measure = commands::DriveShortener::Measure;
 
-  /// The vehicle has no trailer. The task and the rule outlive the bender. With a `measure` what is
-  /// cheaper is so by it.
+  /// The vehicle has no trailer. The task and the rule outlive the bender. With a `measure` drives
+  /// are compared by it.
   Bender(const Task& task, const CostRule& rule, std::uint64_t seed, Measure measure = {});
 
-  /// A route from the start of the task to its goal that may be worth it. One that is like a route
-  /// offered before is left out unless it is much cheaper.
+  /// Offers a route from the start of the task to its goal. A route that is like one offered before
+  /// is ignored unless it is much cheaper.
   void offer(const Route& route);
-  /// The same of a path that need not be free, nor begin and end quite there.
+  /// Offers a path that need not be free, and whose ends need not be exact.
   void offer(std::vector<Segment> segments);
 
   /// One trial. True when the cheapest drive got cheaper.
   bool step();
-  /// Whether there is anything to try that many trials did not try in vain.
+  /// Whether more trials may bring anything: routes wait, or a drive is not stalled.
   [[nodiscard]] bool has_work() const {
     return is_following_ || !challengers_.empty() || !waiting_.empty() ||
            (best_ && !best_->is_stalled());
   }
 
-  /// The cheapest drive so far; `step` was true once.
+  /// The cheapest drive so far. Requires that `step` was true once.
   [[nodiscard]] Drive best() const {
     return {.commands = best_->commands(), .segments = {}, .route = {}, .cost = best_->cost()};
   }
@@ -55,16 +55,16 @@ class Bender {
   [[nodiscard]] std::int64_t checks() const;
 
  private:
-  /// A drive that may become cheaper than the best one yet.
+  /// Drive that may become cheaper than the best drive.
   struct Challenger {
     std::unique_ptr<commands::DriveShortener> drive;
-    std::int64_t trials = 0;  // spent on it
+    std::int64_t trials = 0;  // trials spent on the drive
   };
 
-  /// A route that was not tried yet.
+  /// Route that was not tried yet.
   struct Waiting {
     std::vector<Segment> segments;
-    double cost;  // as it is [m]
+    double cost;  // cost of the route [m]; infinity for an offered path
   };
 
   void wait(Waiting route);
@@ -84,15 +84,15 @@ class Bender {
   commands::Closer closer_;
   std::uint64_t seed_;
   Measure measure_;
-  std::uint64_t drives_ = 0;      // so far; each has a seed
-  Kinds kinds_;                   // that were offered
-  std::vector<Waiting> waiting_;  // the cheapest one last, of those the newest
+  std::uint64_t drives_ = 0;      // drives so far; numbers their seeds
+  Kinds kinds_;                   // kinds of the routes that were offered
+  std::vector<Waiting> waiting_;  // routes by falling cost; of equal ones the newest last
   std::unique_ptr<commands::DriveShortener> best_;
   std::vector<Challenger> challengers_;
-  std::int64_t checks_ = 0;  // of drives that are gone
+  std::int64_t checks_ = 0;  // checks of drives that were dropped
   Follower follower_;
   bool is_following_ = false;
-  double followed_cost_ = 0.0;  // of that route, as it was
+  double followed_cost_ = 0.0;  // cost of the route that is being followed [m]
   bool is_turn_of_best_ = false;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Who bends the routes that all workers find?
+// Which worker bends the routes of all workers?
 
 #include <optional>
 
@@ -10,14 +10,14 @@
 
 namespace vandplan::anytime {
 
-/// Makes drives along routes cheaper by turning the wheels less.
+/// Makes drives along routes cheaper by changing their commands, mostly so that wheels turn less.
 class BendWorker final : public Worker {
  public:
   /// The vehicle has no trailer. The task and the rule outlive the worker.
   BendWorker(const Task& task, const CostRule& rule, std::uint64_t seed);
 
-  /// Goes on from a path that need not be free, nor begin and end quite where it should. The drive
-  /// along it; none if there is none.
+  /// Begins with a known path. The path need not be free, and its ends need not be exact.
+  /// Gives back the drive along it; none if none was found.
   [[nodiscard]] std::optional<Drive> begin_with(const Path& known);
 
   [[nodiscard]] bool has_work() const override { return !bender_ || bender_->has_work(); }
@@ -33,8 +33,8 @@ class BendWorker final : public Worker {
   const CostRule& rule_;
   std::uint64_t seed_;
   std::optional<Bender> bender_;  // none before the first iteration or offer
-  double best_cost_;              // of all routes and drives that it knows of
-  double told_cost_;              // of the best route that it was told
+  double best_cost_;              // least cost of all routes and drives that the worker knows
+  double told_cost_;              // cost of the best route that the bender was told
 };
 
 }  // namespace vandplan::anytime

@@ -11,15 +11,16 @@
 namespace vandplan::anytime {
 namespace {
 
-constexpr double curvature_rounding = 1e-12;
-constexpr double sideways = 0.3;         // of repairs that bring nothing, those that are kept
-constexpr std::size_t most_spanned = 6;  // legs at an end
-constexpr int repairs = 12;              // trials to free a route along a path
+constexpr double curvature_rounding = 1e-12;  // relative rounding of curvatures and rates
+constexpr double sideways = 0.3;              // share of repairs without a gain that are kept
+constexpr std::size_t most_spanned = 6;       // most legs at an end that one piece replaces
+constexpr int repairs = 12;                   // trials to free a route along a path
 
 }  // namespace
 
 bool may_follow(const Connector& connector, const Driven& before, const Segment& segment) {
-  const double jump = std::abs(segment.curvature - before.curvature);  // NaN if it is not known
+  // NaN if the curvature before is unknown.
+  const double jump = std::abs(segment.curvature - before.curvature);
   return !(jump * connector.radius() > straight_wheels) ||
          connector.may_jump(before, {gear_of(segment), segment.curvature});
 }
@@ -45,7 +46,7 @@ Chain::Chain(const Task& task, Connector& connector, const Path& old, std::uint6
   vias_.back().pose = task.goal;
 }
 
-/// The places of a path where one piece may end and the next one begin, its ends among them.
+/// Places of a path where one piece may end and the next one begin, with both ends of the path.
 std::vector<Chain::Via> Chain::vias_of(const Path& path) {
   const LocalPose start(path.start);
   std::vector<Via> vias = {{start, 0.0, 0}};
@@ -53,7 +54,7 @@ std::vector<Chain::Via> Chain::vias_of(const Path& path) {
   double s = 0.0;
   const Segment* before = nullptr;
   for (const Segment& segment : path.segments) {
-    if (segment.length == 0.0) continue;  // two places would be one
+    if (segment.length == 0.0) continue;  // an empty segment would make two equal places
     const double length = std::abs(segment.length);
     const double end = curvature_at(segment, length);
     if (before != nullptr) {
@@ -81,14 +82,15 @@ bool Chain::is_free() const {
   return std::ranges::all_of(legs_, [](const Link& link) { return link.is_free; });
 }
 
-/// What is driven before leg `first` and from leg `last` on.
+/// Gears and curvatures before leg `first` and from leg `last` on.
 Gears Chain::gears_beside(std::size_t first, std::size_t last) const {
   const Gears ends = gears_at_ends(task_, connector_.rule());
   return {first == 0 ? ends.before : last_driven(legs_[first - 1].piece),
           last == legs_.size() ? ends.after : first_driven(legs_[last].piece)};
 }
 
-/// Pieces from place to place, between what is driven around them.
+/// Pieces from place to place; `around`: what is driven before and after them. None if two places
+/// cannot be joined.
 std::optional<std::vector<Chain::Link>> Chain::links(std::span<const Via> vias,
                                                      const Gears& around) {
   std::vector<Link> result;
@@ -117,11 +119,11 @@ bool Chain::join() {
   return true;
 }
 
-// What the old path drives between two places, if the vehicle can.
+// The piece of the old path between two places, if the vehicle can drive it.
 std::optional<Piece> Chain::old_piece(const Via& from, const Via& to, Driven before) const {
   Piece piece;
   const auto after = std::ranges::upper_bound(begins_, from.s);
-  // Rounding may leave some of the segment before.
+  // Rounding may leave a rest of the segment before.
   const std::ptrdiff_t first = std::max<std::ptrdiff_t>(after - begins_.begin() - 2, 0);
   for (auto i = static_cast<std::size_t>(first); i < begins_.size(); ++i) {
     const Segment& segment = old_.segments[i];
@@ -161,14 +163,14 @@ bool Chain::take_over() {
   return true;
 }
 
-// Puts other legs in the place of [first, last).
+// Replaces the legs [first, last).
 void Chain::exchange(std::size_t first, std::size_t last, const std::vector<Link>& fresh) {
   const auto begin = legs_.begin() + static_cast<std::ptrdiff_t>(first);
   const auto end = legs_.begin() + static_cast<std::ptrdiff_t>(last);
   legs_.insert(legs_.erase(begin, end), fresh.begin(), fresh.end());
 }
 
-// What being near things adds to the cost of the legs [first, last).
+// Clearance cost of the legs [first, last).
 double Chain::clearance_cost(std::size_t first, std::size_t last) const {
   double sum = 0.0;
   for (std::size_t i = first; i < last; ++i) {
@@ -177,8 +179,8 @@ double Chain::clearance_cost(std::size_t first, std::size_t last) const {
   return sum;
 }
 
-// One piece in the place of the legs [first, last), if it is free and they are not, or it is
-// cheaper.
+// Replaces the legs [first, last) by one piece that is free, if one of them is blocked or the piece
+// is cheaper.
 void Chain::span_legs(std::size_t first, std::size_t last) {
   const Gears gears = gears_beside(first, last);
   double cost = 0.0;
@@ -203,8 +205,7 @@ void Chain::span_legs(std::size_t first, std::size_t last) {
   vias_.erase(at, at + static_cast<std::ptrdiff_t>(last - first - 1));
 }
 
-// Leaves out places at both ends, where one free piece is cheaper than those that it replaces or
-// they are blocked.
+// Replaces several legs at each end of the chain by one piece, where that is free and better.
 void Chain::leave_out() {
   const auto most = [&] { return std::min(most_spanned, legs_.size()); };
   for (std::size_t count = 2; count <= most(); ++count) span_legs(0, count);
@@ -213,7 +214,7 @@ void Chain::leave_out() {
   }
 }
 
-/// A place near the old path, at a random scale.
+/// A random place near position `s` of the old path, at a random scale.
 Chain::Via Chain::beside(double s, GearSign next) {
   const double scale = std::exp2(uniform(-9.0, 0.0, rng_));
   const double reach = scale * connector_.radius();
@@ -222,7 +223,8 @@ Chain::Via Chain::beside(double s, GearSign next) {
   return {Local(compose(pose_at(old_, s), by)), s, next};
 }
 
-/// Moves an end of a leg that is not free, or makes a place in its middle.
+/// Moves an end of a blocked leg, or adds a place in its middle. The change is kept if fewer legs
+/// are blocked then, and sometimes if as many are.
 void Chain::repair() {
   std::vector<std::size_t> blocked;
   for (std::size_t i = 0; i < legs_.size(); ++i) {
@@ -232,7 +234,7 @@ void Chain::repair() {
   const bool inserts = legs_.size() == 1 || uniform01(rng_) < 0.3;
   const bool moves_end = leg == 0 || (leg + 1 < legs_.size() && rng_() % 2 == 0);
   const std::size_t first = inserts || moves_end ? leg : leg - 1;
-  const std::size_t last = inserts ? leg + 1 : first + 2;  // the leg after those that change
+  const std::size_t last = inserts ? leg + 1 : first + 2;  // index behind the legs that change
   const Via& from = vias_[first];
   const Via& to = vias_[last];
   const Via between = inserts ? beside(uniform(from.s, to.s, rng_), 0)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which route keeps to the way of a path that is there?
+// Which route keeps to the way of a known path?
 
 #include <cstdint>
 #include <optional>
@@ -16,36 +16,38 @@ namespace vandplan::anytime {
 
 using namespace search;
 
-/// Whether a segment may be driven after that: the curvature goes on as it was, or may jump there.
+/// Whether a segment may be driven after `before`: the curvature goes on as it was, or may jump
+/// there.
 [[nodiscard]] bool may_follow(const Connector& connector, const Driven& before,
                               const Segment& segment);
 
-/// Whether the wheels turn as far and as fast as a segment asks for.
+/// Whether the vehicle can drive a segment: its gear is allowed, and the wheels turn as far and as
+/// fast as the segment needs.
 [[nodiscard]] bool can_drive(const Connector& connector, const Segment& segment);
 
-/// Pieces from place to place along an old path, from the task's start to its goal. Some may be in
-/// the way of something.
+/// Pieces from place to place along an old path, from the task's start to its goal. Some pieces may
+/// be blocked by obstacles.
 class Chain {
  public:
   /// `old` is in the frame of the task; its ends need not be those of the task.
   Chain(const Task& task, Connector& connector, const Path& old, std::uint64_t seed);
 
-  /// Joins all places; false if two of them cannot be joined.
+  /// Steers anew between all places; false if two of them cannot be joined.
   bool join();
-  /// Keeps what the old path drives between two places where the vehicle can, joins the others, and
-  /// leaves out places at both ends. False if two places cannot be joined.
+  /// Keeps the pieces of the old path that the vehicle can drive, steers the other pieces anew, and
+  /// leaves out places near both ends. False if two places cannot be joined.
   bool take_over();
-  /// One trial to free a leg: a place near the old path, at random.
+  /// One trial to free a blocked leg: moves or adds a place near the old path, at random.
   void repair();
   [[nodiscard]] bool is_free() const;
   [[nodiscard]] Route route() const;
 
  private:
-  /// A place of the old path where the wheels are straight or the gear changes.
+  /// Place of the old path where the wheels are straight or the gear changes.
   struct Via {
     LocalPose pose;
-    double s;       // on the old path [m]
-    GearSign next;  // the gear driven from there, if it changes; else 0
+    double s;       // position on the old path [m]
+    GearSign next;  // gear driven onward, if it changes here; otherwise 0
   };
   struct Link {
     Piece piece;
@@ -66,15 +68,14 @@ class Chain {
   const Task& task_;
   Connector& connector_;
   const Path& old_;
-  std::vector<double> begins_;  // of the segments of the old path [m]
+  std::vector<double> begins_;  // position where each segment of the old path begins [m]
   Rng rng_;
-  std::vector<Via> vias_;
-  std::vector<Link> legs_;  // from each place to the next
+  std::vector<Via> vias_;   // places, with both ends
+  std::vector<Link> legs_;  // pieces from each place to the next
 };
 
-/// A free route that keeps to the way of a path, which is in the frame of the task; its ends need
-/// not be those of the task. What is in the way of something is moved at random, some trials long.
-/// None if none is found.
+/// A free route along a path, which is in the frame of the task; its ends need not be those of the
+/// task. Blocked places are moved at random for some trials. None if no free route is found.
 [[nodiscard]] std::optional<Route> route_along(const Task& task, Connector& connector,
                                                const Path& path, std::uint64_t seed);
 

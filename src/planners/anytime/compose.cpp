@@ -27,37 +27,39 @@
 namespace vandplan::anytime {
 namespace {
 
-// Iteration at which the survey begins, once there is a route: sooner, it would be in the way.
-// Where the wheels take time to turn iterations take longer.
+/// Iteration at which the survey begins, if there is a route. Earlier it would delay workers that
+/// gain more.
 constexpr std::int64_t first_survey = 3000;
+/// Iteration at which the glance of a relaxed survey begins. Iterations are slower with continuous
+/// curvature.
 constexpr std::int64_t early_survey = 1000;
-// From so many rounds with a route on it works anyhow: all others may have ended.
+/// Rounds with a route after which the survey begins in any case: all other workers may have ended.
 constexpr std::int64_t rounds_without_work = 64;
 
-// Rounds with a route before the bound with headings is raised where a gap is to be proven: boxes
-// take long to make.
+/// Rounds with a route before the bound with headings is raised, if a gap is to be proven: boxes of
+/// poses take long to make.
 constexpr std::int64_t first_raise = 24;
-// Steps of the bound in place of one, once the best cost hardly falls. Rounds by time take longer;
-// those with bending are shorter.
+/// Factors of the length prover's share once the best cost hardly falls: by length, by time (rounds
+/// are slow), and with bending (rounds are short).
 constexpr std::int64_t settled_steps = 4;
 constexpr std::int64_t settled_steps_by_time = 16;
 constexpr std::int64_t settled_steps_with_bending = 8;
 
-// Round in which walls are looked for first; most runs have a route by then. A look takes longer
-// over a whole site.
+/// Round from which the wall prover works, if there is no route. Most runs have a route by then.
+/// Over a whole site its steps are slower.
 constexpr std::int64_t first_look = 3;
 constexpr std::int64_t first_look_far = 99;
-// Looks of a round. Most walls are found in the first rounds.
+/// Steps of the wall prover in a round. Most walls are found in its first rounds.
 constexpr std::int64_t early_looks = 32;
 constexpr std::int64_t late_looks = 3;
 constexpr std::int64_t rounds_of_early_looks = 2;
 
-// Shortest stroke where seconds have a price beside others [m].
+/// Least length of strokes where seconds have a price beside others [m].
 constexpr double shortest_stroke = 0.1;
-// How much more a finished drive may cost, relative: by its time, or by both prices.
+/// Largest additional cost of a finished drive, relative: by its time, or by both prices.
 constexpr double slack_of_time = 1e-12;
 constexpr double slack_of_both = 1e-2;
-/// Streams of random numbers.
+/// Streams of random numbers, one for each worker.
 namespace stream {
 constexpr std::uint64_t search_from_goal = 0;
 constexpr std::uint64_t search_from_start = 1;
@@ -108,14 +110,14 @@ class Composer {
   std::span<const NamedSource> sources_;
   std::unique_ptr<const planning::Pricing> pricing_;
   const CostRule& rule_;
-  Bounds region_;                     // where samples are drawn
+  Bounds region_;                     // sampling region of the trees
   bool is_far_;                       // whether the task goes over a whole site
-  Scope scope_;                       // what shortening looks at at a time
+  Scope scope_;                       // part of a route that shortening may change
   bool bends_;                        // whether bending may make routes cheaper
   bool has_gap_;                      // whether a gap is to be proven
   bool is_warm_ = false;              // whether the run begins with a route along a known path
-  bool looks_around_ = false;         // whether other kinds of path are looked for
-  std::unique_ptr<BendWorker> bend_;  // null unless routes are bent
+  bool looks_around_ = false;         // whether the survey looks for routes of other kinds
+  std::unique_ptr<BendWorker> bend_;  // bends routes; null if none are bent
   Portfolio portfolio_;
 };
 
@@ -156,7 +158,7 @@ FinishRules Composer::finish_rules() const {
   return rules;
 }
 
-// A route along a path that was good for a like task.
+// Begins with a route along a known path, if one is free.
 void Composer::take_known(const Path& known) {
   Connector connector(task_, rule_);
   std::optional<Route> route = route_along(task_, connector, known, 0);
@@ -172,7 +174,7 @@ Share Composer::until_route(const Row& row) const {
   return [turn](const Progress& now) { return now.rounds < turn.first_round ? 0 : turn.share; };
 }
 
-// With a route, of one round.
+// Iterations of a worker in a round with a route.
 std::int64_t Composer::share_with_route(const Row& row) const {
   if (is_far_) return rule_.is_length() ? row.far_by_length : row.far_by_prices;
   return rule_.is_length() ? row.by_length : bends_ ? row.by_prices : row.by_time;
@@ -212,7 +214,7 @@ std::unique_ptr<Seeker> Composer::seeker(const Task& task, std::uint64_t stream,
   return std::make_unique<Seeker>(task, rule_, scope_, seed(stream), make);
 }
 
-// [3] [4]
+// [3] [4] Adds lattice searches from one end.
 void Composer::add_search(std::string_view name, std::uint64_t stream, Root root, const Row& row) {
   auto worker = seeker(task_, stream, [&task = task_, &rule = rule_, root, scope = scope_] {
     return std::make_unique<Ladder>(task, rule, root, scope);
@@ -220,8 +222,9 @@ void Composer::add_search(std::string_view name, std::uint64_t stream, Root root
   add(name, std::move(worker), share(row));
 }
 
-// [2] Until there is a route. Where the wheels take time to turn lattices are there sooner, unless
-// one gear alone may be driven: what a lattice overlooks then is not made up for by a shunt.
+// [2] Adds the trees, which work until there is a route. With continuous curvature, lattices find
+// routes sooner, so trees begin late. In one gear alone they begin early, as no shunt makes up for
+// what a lattice overlooks.
 void Composer::add_trees() {
   const std::uint64_t own_seed = stream_seed(seed(stream::trees), 0);
   auto worker =
@@ -236,8 +239,8 @@ void Composer::add_trees() {
   });
 }
 
-// [7] Once the best route hardly gets cheaper, proving how good it is gets more of the time. The
-// way around comes first.
+// [7] Adds the length prover. The bound around obstacles comes before the bound with headings. Once
+// the best cost hardly falls, proving gets more of the time.
 void Composer::add_length_prover() {
   auto prover = std::make_unique<LengthProver>(task_, rule_.only_gear());
   const Share share_now = share(shares::length_prover);
@@ -255,7 +258,7 @@ void Composer::add_length_prover() {
   slot.proofs = [](const Progress& now) { return now.rounds_with_route < first_raise ? 0 : 1; };
 }
 
-// [6b] They have rounds of their own.
+// [6b] Adds the detours, which have rounds of their own.
 void Composer::add_detours() {
   const std::uint64_t own_seed = stream_seed(seed(stream::detours), 0);
   auto worker = seeker(task_, stream::detours, [&task = task_, &rule = rule_, own_seed] {
@@ -266,7 +269,7 @@ void Composer::add_detours() {
   });
 }
 
-// [6c] It plans as if the wheels turned at once.
+// [6c] Adds the survey. With continuous curvature it plans the relaxed task.
 void Composer::add_survey() {
   const Task& task = has_relaxed() ? *portfolio_.relaxed : task_;
   auto worker = seeker(task, stream::survey,
@@ -286,7 +289,7 @@ void Composer::add_survey() {
   slot.is_relaxed = has_relaxed();
 }
 
-// [9] As long as there is no route there may be none.
+// [9] Adds the wall prover, which works while there is no route.
 void Composer::add_wall_prover() {
   const auto never = [](const Progress&) { return 0; };
   Slot& slot = add("wall prover", std::make_unique<WallProver>(task_), never);
@@ -296,7 +299,7 @@ void Composer::add_wall_prover() {
   };
 }
 
-// [8b]
+// [8b] Adds the worker that judges routes by the whole drive.
 void Composer::add_fastest() {
   Slot& slot = add(
       "fastest",
@@ -305,7 +308,7 @@ void Composer::add_fastest() {
   slot.phase = Phase::after;
 }
 
-// What a source of the caller proposes, as routes of a search.
+// Adds a worker that shortens routes along the paths of a caller's source.
 void Composer::add_proposals(const NamedSource& source, std::uint64_t number) {
   const std::uint64_t own_seed = stream_seed(seed(stream::proposals), number);
   auto make = [&task = task_, &rule = rule_, options = options_, &source, own_seed] {
@@ -317,7 +320,7 @@ void Composer::add_proposals(const NamedSource& source, std::uint64_t number) {
       });
 }
 
-// Lets a slot hear of all routes that are given up.
+// Lets the slot `name` hear of all routes that are given up.
 void Composer::feed(std::string_view name) {
   std::vector<Slot>& slots = portfolio_.slots;
   const auto listener = std::ranges::find(slots, name, &Slot::name);
@@ -356,7 +359,7 @@ Portfolio Composer::portfolio() && {
 
 }  // namespace
 
-// By length a word is found sooner, by price it may be the optimum.
+// The shortest word is found sooner, the cheapest word may be the optimum.
 std::vector<search::Route> open_ways(const Task& task, const search::CostRule& rule) {
   std::vector<Route> routes;
   std::vector<CostRule> rules = {length_rule(rule)};

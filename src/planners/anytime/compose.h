@@ -17,19 +17,20 @@ namespace vandplan::anytime {
 
 /// What the caller knows of a task.
 struct Given {
-  /// A path in the frame of the task that was good for a like one; null if there is none. If a
-  /// route along it is free, that is the first one, and bettered before others are looked for.
+  /// A known path in the frame of the task, such as the answer to a similar task; null: none. If a
+  /// route along it is free, that is the first route, and it is improved before others are
+  /// searched.
   const Path* known = nullptr;
-  std::span<const NamedSource> sources = {};  ///< of paths, beside the planner's own workers
+  std::span<const NamedSource> sources = {};  ///< sources of paths beside the planner's own workers
 };
 
-/// The cheapest words on open ground, by length and by the prices of a rule, if nothing is in their
-/// way. The task has no trailer.
+/// Free routes of one word: the shortest word, and with prices the cheapest one. A word that is
+/// blocked is left out. The task has no trailer.
 [[nodiscard]] std::vector<search::Route> open_ways(const Task& task, const search::CostRule& rule);
 
 /// The portfolio of a task without a trailer. Each second costs `time_price` [m] beside the prices
-/// of the path; without effect where the cost is the time. The task and the sources outlive the
-/// portfolio.
+/// of the path; `time_price` is ignored if the cost is the time. The task and the sources outlive
+/// the portfolio.
 [[nodiscard]] Portfolio compose(const Task& task, const PlanOptions& options, double time_price,
                                 const Given& given);
 

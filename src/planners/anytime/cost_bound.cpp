@@ -10,7 +10,7 @@ namespace vandplan::anytime {
 
 double CostBound::least(const Proven& proven) const {
   const search::CostRule& rule = pricing_.rule();
-  // Ends that are off may save so much on the way around, too.
+  // Ends within the judge's tolerance make the way around obstacles shorter by at most this much.
   const double off = rule.is_length() ? 0.0 : 2 * steering::judged.position;
   const double around =
       std::max({0.0, proven.shortest - off, proven.shortest_turn - ground_.leeway});
@@ -20,8 +20,8 @@ double CostBound::least(const Proven& proven) const {
 }
 
 bool CostBound::is_optimal(double cost, const Proven& proven) const {
-  constexpr double of_time = 1e-12;  // slack of a time, relative
-  constexpr double of_both = 1e-6;   // slack of prices and time, relative: ends may be off as much
+  constexpr double of_time = 1e-12;  // rounding of a time, relative
+  constexpr double of_both = 1e-6;   // slack of prices plus time, relative: ends may be off as much
   if (pricing_.counts_time()) {
     return cost <= least(proven) * (1 + (pricing_.is_time() ? of_time : of_both));
   }

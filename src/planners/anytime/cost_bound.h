@@ -9,18 +9,18 @@
 
 namespace vandplan::anytime {
 
-/// The lower bound of the costs of all drives, by what is proven of the lengths of their paths.
+/// Lower bound of the cost of all drives, from proven lower bounds of the length of their paths.
 class CostBound {
  public:
   /// The pricing outlives the bound.
   CostBound(const Task& task, const planning::Pricing& pricing)
       : pricing_(pricing), ground_(open_ground(task, pricing.rule())) {}
 
-  /// No drive costs less, by what is proven so far.
+  /// Lower bound of the cost of all drives, by what is proven so far [m or s].
   [[nodiscard]] double least(const Proven& proven) const;
-  /// Whether no drive costs less than `cost`, but for rounding.
+  /// Whether it is proven that no drive costs less than `cost`, except for rounding.
   [[nodiscard]] bool is_optimal(double cost, const Proven& proven) const;
-  /// No path is shorter, whatever stands in the way [m].
+  /// Lower bound of the length of all paths on open ground [m].
   [[nodiscard]] double shortest() const { return ground_.shortest; }
 
  private:

@@ -12,21 +12,23 @@
 namespace vandplan::anytime {
 namespace {
 
-constexpr double least_stretch = 2.0;  // [turning radii]
-constexpr double guide_side = 0.5;     // of a cell of the grid [vehicle widths]
-constexpr double detour_slack = 1.1;   // what shortening may take off a way of another kind
+constexpr double least_stretch = 2.0;  // least length of a stretch [turning radii]
+constexpr double guide_side = 0.5;     // side of a cell of the guide's grid [vehicle widths]
+constexpr double detour_slack = 1.1;   // a found way may cost so many times the stretch
+/// Searches, one of which is chosen at random.
 constexpr std::array<LatticeOptions, 4> detour_searches = {
     LatticeOptions{24, 0.25, 1.5}, LatticeOptions{24, 0.25, 1.2}, LatticeOptions{36, 0.17, 1.2},
     LatticeOptions{48, 0.125, 1.5}};
-constexpr std::int64_t least_expansions = 256;
-constexpr std::uint64_t doublings = 4;         // of `least_expansions`, at random
-constexpr double most_stretch = 60.0;          // [turning radii]
-constexpr double grid_slack = 1.1;             // what a way on the grid is longer than a path
-constexpr int most_trials = 600;               // to shorten a way,
-constexpr double hopeless_detour = 8.0;        // over the old one, times the trials it took
-constexpr double least_gain_of_detour = 1e-3;  // [turning radii]
+constexpr std::int64_t least_expansions = 256;  // expansions of the smallest search
+constexpr std::uint64_t doublings = 4;          // number of sizes of a search, each twice as large
+constexpr double most_stretch = 60.0;           // largest length of a stretch [turning radii]
+constexpr double grid_slack = 1.1;       // ways on the grid may be so many times as long as paths
+constexpr int most_trials = 600;         // most trials to shorten a way
+constexpr double hopeless_detour = 8.0;  // relative excess times trials that ends shortening
+constexpr double least_gain_of_detour = 1e-3;  // least gain of a detour [turning radii]
 
-// No path from focus to focus that is no longer than `length` leaves it.
+// Box around the ellipse with foci `a` and `b` that paths of at most `length` between them do not
+// leave.
 Bounds ellipse_box(const LocalPose& a, const LocalPose& b, double length, const Bounds& scene) {
   const double dx = std::abs(a.x - b.x), dy = std::abs(a.y - b.y);
   const double apart = std::hypot(dx, dy);
@@ -36,7 +38,7 @@ Bounds ellipse_box(const LocalPose& a, const LocalPose& b, double length, const 
   const double x = std::hypot(share * length / 2, along * minor);
   const double y = std::hypot(along * length / 2, share * minor);
   const Point m{(a.x + b.x) / 2, (a.y + b.y) / 2};
-  // A route may leave the scene.
+  // The foci are inside although a route may leave the scene.
   return {std::min({std::max(scene.x_min, m.x - x), a.x, b.x}),
           std::max({std::min(scene.x_max, m.x + x), a.x, b.x}),
           std::min({std::max(scene.y_min, m.y - y), a.y, b.y}),
@@ -56,7 +58,8 @@ void Detours::set_route(const Route& route) {
 std::int64_t Detours::solves() const { return solves_ + (connector_ ? connector_->solves() : 0); }
 std::int64_t Detours::checks() const { return checks_ + (connector_ ? connector_->checks() : 0); }
 
-// Long stretches and short ones alike; those at the ends of the route more often.
+// Chooses a random stretch. Short and long stretches are equally frequent; those at the ends of the
+// route are more frequent.
 void Detours::choose() {
   const double whole = base_.length();
   const double least = std::min(whole, least_stretch * task_.vehicle.min_turning_radius);
@@ -66,7 +69,7 @@ void Detours::choose() {
   double begin = nearest_cut(task_, base_, std::max(middle - length / 2, 0.0));
   double end = nearest_cut(task_, base_, middle + length / 2 < whole ? middle + length / 2 : whole);
   old_ = part_of(base_, begin, end);
-  if (old_.legs.empty()) {  // the cuts are one, or only rounding tells them apart
+  if (old_.legs.empty()) {  // both cuts are the same but for rounding
     begin = 0.0;
     end = whole;
     old_ = part_of(base_, begin, end);
@@ -114,7 +117,7 @@ void Detours::end() {
   connector_.reset();
 }
 
-// The whole route with the new stretch, which was found in the direction of the search.
+// Puts a way, which has the direction of the search, in the place of the stretch.
 void Detours::put_in_place(const Route& way) {
   const Route stretch = backwards_ ? reversed(way) : way;
   found_ = before_;
@@ -123,14 +126,15 @@ void Detours::put_in_place(const Route& way) {
   price(Connector(task_, rule_), found_);
 }
 
-// A way on the grid that is much longer than the stretch is no shorter path.
+// Whether a shorter path is unlikely: the way on the grid is much longer than the stretch, or there
+// is none.
 bool Detours::is_hopeless() const {
   const LocalPose& root = backwards_ ? old_.legs.back().end : old_.start;
   return !guide_->is_connected() || guide_->at(root.x, root.y) > grid_slack * old_.cost;
 }
 
-// One trial with the way that was found. True when it is cheaper than the stretch: it is put in
-// its place then.
+// One trial to shorten the found way. A way that is cheaper than the stretch takes the place of the
+// stretch. True if the whole route got cheaper.
 bool Detours::patch() {
   patch_->step();
   ++trials_;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which other way is there from one place of a route to another? Shortening keeps to a way; a
-// search over the whole task finds few of its kinds. One between two places of a good route is
-// small.
+// Which other way leads from one place of a route to another?
+//
+// Shortening never leaves its way, and a search over the whole task finds few kinds of way. A
+// search between two places of a good route is small.
 
 #include <cstdint>
 #include <memory>
@@ -18,17 +19,17 @@
 
 namespace vandplan::anytime {
 
-/// Replaces random stretches of a long route by what a lattice search finds between their ends.
-/// What is found is shortened before it is offered, and is the route from then on.
+/// Replaces random stretches of a long route by results of a lattice search between their ends. A
+/// result is shortened first. If it is cheaper than the stretch, it becomes a part of the route.
 class Detours final : public Source {
  public:
   Detours(const Task& task, const CostRule& rule, std::uint64_t seed);
 
-  /// What it looks for ways off from now on. The route is longer than nothing.
+  /// Sets the route whose stretches are replaced. Its length is above 0.
   void set_route(const Route& route) override;
 
-  /// Expands one pose, settles some cells of a grid, or shortens what was found; needs a route.
-  /// True when a cheaper route was found: `route`.
+  /// Expands one pose, settles some cells of a grid, or shortens a result; needs a route. True when
+  /// a cheaper route was found: `route`.
   [[nodiscard]] bool step() override;
 
   [[nodiscard]] Route route() const override { return found_; }
@@ -50,22 +51,22 @@ class Detours final : public Source {
   CostRule rule_;
   Bounds scene_;
   Rng rng_;
-  Route base_;              // the route
-  Route before_, after_;    // what stays of it
-  Route old_;               // what is to be replaced
-  bool backwards_ = false;  // the search begins at the end of the stretch
-  Gears gears_;             // driven before and after it, in its direction
+  Route base_;              // best route
+  Route before_, after_;    // parts of the route that stay
+  Route old_;               // stretch that is to be replaced
+  bool backwards_ = false;  // whether the search begins at the end of the stretch
+  Gears gears_;             // gears beside the stretch, in the direction of the search
   std::optional<Connector> connector_;
   std::unique_ptr<Guide> guide_;
-  bool guided_ = false;
+  bool guided_ = false;  // whether the guide is complete
   LatticeOptions options_;
   std::optional<Lattice> lattice_;
-  std::int64_t left_ = 0;           // expansions of this search
-  std::optional<Shortener> patch_;  // a way that was found
-  int trials_ = 0;                  // to shorten it
+  std::int64_t left_ = 0;           // expansions left for this search
+  std::optional<Shortener> patch_;  // shortens a result of the search
+  int trials_ = 0;                  // trials of shortening it
   Route found_;
-  std::int64_t solves_ = 0;  // of the searches before
-  std::int64_t checks_ = 0;
+  std::int64_t solves_ = 0;  // steering calls of earlier searches
+  std::int64_t checks_ = 0;  // edge checks of earlier searches
 };
 
 }  // namespace vandplan::anytime

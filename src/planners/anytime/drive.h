@@ -10,11 +10,11 @@
 
 namespace vandplan::anytime {
 
-/// A drive from the start to the goal.
+/// Drive from the start to the goal.
 struct Drive {
-  std::vector<Segment> commands;  ///< commands of the task's wheels; none if `segments` are set
-  std::vector<Segment> segments;  ///< what is driven; none if `commands` are set
-  std::optional<search::Route> route;  ///< route that `segments` drive along, if it is known
+  std::vector<Segment> commands;  ///< commands of the task's wheels; empty if `segments` are set
+  std::vector<Segment> segments;  ///< segments that are driven; empty if `commands` are set
+  std::optional<search::Route> route;  ///< route that `segments` follow, if it is known
   double cost = 0.0;                   ///< price of the drive [m], or its time [s]
 };
 

@@ -11,15 +11,15 @@ namespace vandplan::anytime {
 
 namespace {
 
-// Of the largest change of curvature per metre, one after another: wheels that turn over a longer
-// way can be turned at a higher speed.
+/// Shares of the largest curvature rate, in turns. Wheels that turn over a longer way can be turned
+/// at a higher speed.
 constexpr double sharpnesses[] = {0.5, 0.25, 0.7, 1.0};
 
-constexpr double worth_a_challenge = 1.3;  // of the cost of the cheapest
+constexpr double worth_a_challenge = 1.3;  // a challenger may cost so many times the cheapest route
 constexpr std::size_t most_challengers = 32;
-constexpr int bending_period = 4;                  // trials, one of which bends
-constexpr std::uint64_t bending_seeds = 1U << 30;  // above those of beginnings
-constexpr double hopeless_challenge = 20;          // over the least cost, times the trials it took
+constexpr int bending_period = 4;                  // one of so many trials bends
+constexpr std::uint64_t bending_seeds = 1U << 30;  // seeds above those of shortened routes
+constexpr double hopeless_challenge = 20;  // relative excess times trials that ends a challenge
 
 }  // namespace
 
@@ -33,7 +33,7 @@ Fastest::Fastest(const Task& task, const CostRule& rule, std::uint64_t seed, Mea
   for (const double sharpness : sharpnesses) {
     Task softer = task;
     softer.vehicle.limits.max_curvature_rate = sharpness * max_curvature_rate(task.vehicle);
-    // Wheels that turn more slowly may not be turned as far as they are at the ends.
+    // Slower wheels have a larger least radius. They must reach the curvatures at the ends.
     if (sharpness < 1 && given * continuous_radius(softer.vehicle) > 1) continue;
     const Task& kept = tasks_.emplace_back(std::move(softer));
     const Connector& connector = connectors_.emplace_back(kept, rule);
@@ -43,7 +43,7 @@ Fastest::Fastest(const Task& task, const CostRule& rule, std::uint64_t seed, Mea
   }
 }
 
-// Goes on with the cheapest route, steering in the next way.
+// Goes on with the cheapest route and the next curvature rate.
 void Fastest::begin() {
   begin_with(*route_);
   is_challenger_ = false;
@@ -71,7 +71,7 @@ bool Fastest::offer(Route route) {
   return cost_ < bent_cost_;
 }
 
-// Tries what lost by the prices, and may win by the measure.
+// Shortens the newest challenger, which may become cheaper than the best route.
 void Fastest::challenge() {
   const Route route = std::move(challengers_.back());
   challengers_.pop_back();
@@ -80,7 +80,7 @@ void Fastest::challenge() {
   trials_ = 0;
 }
 
-// One trial of the next bender. True when there is a cheaper drive than ever.
+// One trial of the next bender. True if it gives the cheapest drive so far.
 bool Fastest::bend() {
   const bool is_turn_of_best = bends_ % 2 == 0 && std::isfinite(bent_cost_);
   const std::size_t i = is_turn_of_best ? best_bender_ : bends_ / 2 % benders_.size();

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which of the routes that were found is the cheapest by a measure of the whole drive, such as its
-// time, and can it be made cheaper?
+// Which route is the cheapest by a measure of the whole drive, such as its time?
 
 #include <algorithm>
 #include <cstdint>
@@ -16,26 +15,27 @@
 
 namespace vandplan::anytime {
 
+/// Keeps the cheapest route by a measure of the whole drive, and makes it cheaper by random trials.
 class Fastest {
  public:
   using Measure = std::function<double(const Route&)>;
 
-  /// `rule` has prices that are like the measure, by which routes are found and steered.
-  /// With a measure of drives routes are bent, too.
+  /// `rule`: prices like the measure, by which routes are found and steered. With a
+  /// `measure_of_drive` routes are bent, too.
   Fastest(const Task& task, const CostRule& rule, std::uint64_t seed, Measure measure,
           const Bender::Measure& measure_of_drive = {});
 
-  /// Takes the route over if it costs less than the one so far; if it does not cost much more it
-  /// may get cheaper yet.
+  /// Takes a route over if it is cheaper than the one so far. A route that is a little dearer is
+  /// kept and shortened later. True if the cheapest drive got cheaper.
   bool offer(Route route);
 
-  /// One trial of making it cheaper, whatever the prices say. True when it got cheaper.
+  /// One trial to make the drive cheaper by the measure. True if the cheapest drive got cheaper.
   bool step();
 
   [[nodiscard]] const std::optional<Route>& route() const { return route_; }
-  /// What is driven along the route, or along one that was bent if that is cheaper.
+  /// Segments of the cheapest drive: along the route, or bent if that is cheaper.
   [[nodiscard]] std::vector<Segment> segments() const;
-  /// Of that, by the measure; infinity while there is no route.
+  /// Cost of the cheapest drive by the measure; infinity while there is no route.
   [[nodiscard]] double cost() const { return std::min(cost_, bent_cost_); }
   [[nodiscard]] std::int64_t solves() const;
   [[nodiscard]] std::int64_t checks() const;
@@ -47,21 +47,21 @@ class Fastest {
   bool bend();
 
   Measure measure_;
-  std::deque<Task> tasks_;            // whose wheels turn more slowly
-  std::deque<Connector> connectors_;  // one for each of them
-  std::deque<Bender> benders_;        // the same
+  std::deque<Task> tasks_;            // copies of the task with different curvature rates
+  std::deque<Connector> connectors_;  // one connector for each of `tasks_`
+  std::deque<Bender> benders_;        // one bender for each of `tasks_`, if drives are bent
   std::uint64_t seed_;
-  std::uint64_t beginnings_ = 0;
-  std::optional<Route> route_;
-  double cost_;                  // of it
-  std::size_t bends_ = 0;        // trials of bending so far
-  std::size_t best_bender_ = 0;  // whose drive is the cheapest one,
-  double bent_cost_;             // and what that costs
-  int steps_ = 0;
+  std::uint64_t beginnings_ = 0;  // shortened routes so far; numbers their seeds
+  std::optional<Route> route_;    // cheapest route
+  double cost_;                   // cost of the cheapest route
+  std::size_t bends_ = 0;         // trials of bending so far
+  std::size_t best_bender_ = 0;   // index of the bender with the cheapest bent drive
+  double bent_cost_;              // cost of the cheapest bent drive
+  int steps_ = 0;                 // trials so far
   std::optional<Shortener> shortener_;
-  std::vector<Route> challengers_;  // that may get cheaper than the route, the best one last
-  bool is_challenger_ = false;      // whom the shortener has
-  int trials_ = 0;                  // spent on it
+  std::vector<Route> challengers_;  // dearer routes that may become the cheapest, the newest last
+  bool is_challenger_ = false;      // whether the shortener works on a challenger
+  int trials_ = 0;                  // trials spent on the challenger
 };
 
 }  // namespace vandplan::anytime

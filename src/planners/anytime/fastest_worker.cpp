@@ -27,7 +27,7 @@ FastestWorker::FastestWorker(const Task& task, const planning::Pricing& pricing,
     : fastest_(task, pricing.rule(), seed, cost_of_route(pricing),
                bends ? cost_of_drive(pricing) : Bender::Measure{}) {}
 
-// [8b] Makes the cheapest route cheaper yet, by the whole drive.
+// [8b] Makes the cheapest route cheaper, judged by the whole drive.
 Found FastestWorker::work(std::int64_t iterations, const Told& told, const Budget& budget) {
   Found found;
   if (told.best == nullptr) return found;

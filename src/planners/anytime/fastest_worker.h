@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Who says which route is the cheapest to drive where the time has a price?
+// Which worker judges routes by the cost of the whole drive, where time has a price?
 
 #include <cstdint>
 #include <vector>
@@ -12,23 +12,23 @@
 
 namespace vandplan::anytime {
 
-/// Makes drives along the routes of all workers cheaper by the measure of the whole drive.
+/// Makes drives along the routes of all workers cheaper, judged by the cost of the whole drive.
 class FastestWorker final : public Worker {
  public:
-  /// With `bends` drives are bent, too, and cost nothing but what the pricing says of their
-  /// segments. The task and the pricing outlive the worker.
+  /// With `bends` drives are bent, too; the clearance of bent drives has no price. The task and the
+  /// pricing outlive the worker.
   FastestWorker(const Task& task, const planning::Pricing& pricing, bool bends, std::uint64_t seed);
 
   [[nodiscard]] bool has_work() const override { return true; }
   [[nodiscard]] Found work(std::int64_t iterations, const Told& told,
                            const Budget& budget) override;
-  /// A route that is looked at in the next round, after the best one.
+  /// Keeps a route for the next round, where it comes after the best route.
   void offer(const Route& route) override { offers_.push_back(route); }
   [[nodiscard]] Counts counts() const override { return {fastest_.solves(), fastest_.checks()}; }
 
  private:
   Fastest fastest_;
-  std::vector<Route> offers_;
+  std::vector<Route> offers_;  // routes for the next round
 };
 
 }  // namespace vandplan::anytime

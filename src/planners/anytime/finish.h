@@ -12,41 +12,41 @@
 
 namespace vandplan::anytime {
 
-/// What a run ends with.
+/// Best route and best drive of a run.
 struct Best {
   const search::Route* route = nullptr;  ///< cheapest route
-  const Drive* drive = nullptr;          ///< drive that is cheaper than the route; null if none is
-  bool is_optimal = false;               ///< no drive costs less: proven
+  const Drive* drive = nullptr;  ///< drive that is cheaper than the route; null if there is none
+  bool is_optimal = false;       ///< whether it is proven that no drive costs less
 };
 
-/// What is asked of a drive besides its cost.
+/// Rules for a finished drive besides its cost.
 struct FinishRules {
-  double min_stroke = 0.0;     ///< strokes before and after gear changes that are asked for [m]
-  double stroke = 0.0;         ///< strokes that are made if there is room [m]
+  double min_stroke = 0.0;     ///< least stroke that is asked for [m]
+  double stroke = 0.0;         ///< least stroke that is made if there is room [m]
   bool is_continuous = false;  ///< whether the wheels need time to turn
   bool has_prices = false;     ///< whether more than the length counts
-  /// A finished drive may cost so much more than the one that was found, relative; any, if none.
+  /// Most that a finished drive may cost more than the drive that was found [relative]; none: no
+  /// limit.
   std::optional<double> slack = {};
 };
 
-/// Leaves out crumbs, and makes strokes before and after gear changes as long as is asked for where
-/// there is room.
+/// Leaves out crumbs, and makes strokes before and after gear changes longer where there is room.
 class Finisher {
  public:
   /// The task and the pricing outlive the finisher.
   Finisher(const Task& task, const planning::Pricing& pricing, const FinishRules& rules)
       : task_(task), pricing_(pricing), rules_(rules) {}
 
-  /// One of the shortest paths with fewer gear changes, if `best` is one of the shortest. Turning
-  /// on the spot has many paths of the same length. `shortest`: no path is shorter [m].
+  /// A route as short as `best` with fewer gear changes, if one is found; otherwise `best`. There
+  /// are many shortest paths for turning on the spot. `shortest`: length of the shortest path [m].
   [[nodiscard]] search::Route with_fewer_changes(const search::Route& best, double shortest,
                                                  std::uint64_t seed, search::Budget& budget) const;
-  /// What is driven as it was found.
+  /// Segments of the best drive, or else of the best route, before tidying.
   [[nodiscard]] std::vector<Segment> raw(const Best& best) const;
-  /// The raw segments tidied; none where they stay as they are: the shortest path is what it is.
+  /// The raw segments tidied; none where they stay as they are, such as those of a shortest path.
   [[nodiscard]] std::optional<Drive> drivable(const Best& best,
                                               const std::vector<Segment>& raw) const;
-  /// `drivable`, unless it costs much more than the drive that was found.
+  /// `drivable`; none if it costs much more than the drive that was found.
   [[nodiscard]] std::optional<Drive> finished(const Best& best,
                                               const std::vector<Segment>& raw) const;
   [[nodiscard]] double min_stroke() const { return rules_.min_stroke; }

@@ -14,10 +14,11 @@ namespace {
 
 using search::Driven, search::gear_of;
 
-constexpr std::size_t most_stages_back = 3;  // that a part may begin at
-constexpr std::size_t most_cuts_ahead = 4;   // that it may end at, if some failed
-constexpr int most_idle_trials = 100;        // that leave as much in the way
-constexpr std::size_t most_beside = 4;       // commands that are changed, on either side
+/// Stages, counted from the last, where a part may begin.
+constexpr std::size_t most_stages_back = 3;
+constexpr std::size_t most_cuts_ahead = 4;  // cuts ahead where a part may end
+constexpr int most_idle_trials = 100;       // trials without a gain that end shaking
+constexpr std::size_t most_beside = 4;  // commands on either side of a blocked one that are changed
 constexpr double never = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -26,8 +27,8 @@ Follower::Follower(const Task& task, const commands::WheelEnds& ends, commands::
                    std::uint64_t seed)
     : task_(task), ends_(ends), wheels_(task.vehicle, task.steering), closer_(closer), rng_(seed) {}
 
-/// Where turning the wheels beside a segment leaves them as it says for a while, its middle is a
-/// cut.
+/// Cuts the way at stops, and in the middle of each segment whose curvature the wheels can hold for
+/// a while.
 void Follower::cut(std::span<const Segment> way) {
   way_.clear();
   cuts_.clear();
@@ -74,7 +75,7 @@ std::optional<std::vector<Segment>> Follower::drive() const {
   return drive_;
 }
 
-/// How much of the commands runs into something; anything more than `most` if it is more.
+/// Length of the blocked segments of commands [m]; any larger number above `most`.
 double Follower::blocked(std::span<const Segment> commands, LocalPose pose, Driven driven,
                          double most) {
   double sum = 0.0;
@@ -87,7 +88,7 @@ double Follower::blocked(std::span<const Segment> commands, LocalPose pose, Driv
   return sum;
 }
 
-/// Commands from a stage to a cut. False if they cannot be bent until they lead there.
+/// Finds commands from a stage to a cut. False if no change of them leads there.
 bool Follower::lead(Part& part) {
   const Cut& to = cuts_[part.cut];
   const commands::WheelEnds ends{part.from.driven, to.curvature};
@@ -111,7 +112,7 @@ void Follower::take(const Part& part) {
   nearly_.reset();
 }
 
-/// Drives to the next cut, or if that is not free to one behind it. False if that leads nowhere.
+/// Drives to the next cut, or to a later one if that is blocked. False if no cut was reached.
 bool Follower::go_on() {
   if (tried_ == most_cuts_ahead || next_ + tried_ == cuts_.size()) {
     if (nearly_) {
@@ -135,7 +136,7 @@ bool Follower::go_on() {
   return true;
 }
 
-/// Finds where commands begin, and how much of them is blocked.
+/// Computes poses and blocked lengths of the commands [first, last).
 void Follower::measure(std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
     blocked_[i] = blocked(std::span(drive_).subspan(i, 1), poses_[i], driven_[i], never);
@@ -143,14 +144,15 @@ void Follower::measure(std::size_t first, std::size_t last) {
     LocalPose pose = poses_[i];
     const commands::Obeyed obeyed = wheels_.obey(drive_[i], driven);
     for (const Segment& segment : obeyed.view()) pose = advance(pose, segment);
-    if (i + 1 == last && last < drive_.size()) break;  // what is behind them is as it was
+    // Poses behind the commands stay as they were.
+    if (i + 1 == last && last < drive_.size()) break;
     poses_[i + 1] = pose;
     driven_[i + 1] = driven;
   }
   left_ = std::accumulate(blocked_.begin(), blocked_.end(), 0.0);
 }
 
-/// Some commands about one that is blocked.
+/// A random range of commands around a blocked one.
 Follower::Window Follower::any_window() {
   std::size_t middle = rng_() % drive_.size();
   while (blocked_[middle] == 0.0) middle = (middle + 1) % drive_.size();
@@ -159,7 +161,7 @@ Follower::Window Follower::any_window() {
   return {middle - std::min(middle, before), std::min(middle + 1 + after, drive_.size())};
 }
 
-/// Changes some commands at random, and keeps that if no more is blocked.
+/// Changes some commands at random, and keeps that if no more metres are blocked.
 void Follower::shake() {
   const auto [first, last] = any_window();
   const std::span<Segment> old = std::span(drive_).subspan(first, last - first);
@@ -176,7 +178,8 @@ void Follower::shake() {
   if (!closer_.close({poses_[first], 0.0}, trial, {poses_[last], 0.0}, ends)) return;
   Driven behind = driven_[first];
   for (const Segment& command : trial) (void)wheels_.obey(command, behind);
-  if (behind.gear != driven_[last].gear) return;  // a stroke is gone: what is next may turn no more
+  // A stroke is gone: the wheels may not turn there any more.
+  if (behind.gear != driven_[last].gear) return;
   const auto of_window = std::span(blocked_).subspan(first, last - first);
   const double before = std::accumulate(of_window.begin(), of_window.end(), 0.0);
   if (blocked(trial, poses_[first], driven_[first], before) > before) return;

@@ -16,36 +16,35 @@
 
 namespace vandplan::anytime {
 
-/// Follows a way part by part. A part ends where the wheels may well be as the way says: in the
-/// middle of a long segment, or where the gear changes. There the drive is on the way again, so
-/// what it takes to turn the wheels in one place moves nothing elsewhere. What runs into something
-/// is then changed at random.
+/// Follows a way part by part. A part ends where the wheels can be as the way says: in the middle
+/// of a long segment, or where the gear changes. There the drive is on the way again, so turning
+/// the wheels in one place moves nothing elsewhere. Blocked commands are then changed at random.
 class Follower {
  public:
-  /// The task, which is without a trailer, and the closer outlive the follower.
+  /// The task has no trailer. Task and closer outlive the follower.
   Follower(const Task& task, const commands::WheelEnds& ends, commands::Closer& closer,
            std::uint64_t seed);
 
   /// Begins to follow another way.
   void follow(std::span<const Segment> way);
-  /// A few ten microseconds of work; false when there is no more to do.
+  /// Works for some ten microseconds; false when nothing is left to do.
   bool step();
-  /// A free drive from the start of the task to its goal; nothing if none was found.
+  /// Commands of a free drive from the start of the task to its goal; none if none was found.
   [[nodiscard]] std::optional<std::vector<Segment>> drive() const;
-  /// Drives that were checked.
+  /// Segments checked for collisions.
   [[nodiscard]] std::int64_t checks() const { return checks_; }
 
  private:
-  /// Where a part of the way may end.
+  /// Place where a part of the way may end.
   struct Cut {
-    std::size_t segment;  // the first one behind it
+    std::size_t segment;  // index of the first segment behind the cut
     LocalPose pose;
-    std::optional<double> curvature;  // of the wheels there; none: any
+    std::optional<double> curvature;  // curvature of the wheels there [1/m]; none: any
   };
   /// How far the drive has come.
   struct Stage {
-    std::size_t segment;   // of the way: the next one
-    std::size_t commands;  // of the drive
+    std::size_t segment;   // index of the next segment of the way
+    std::size_t commands;  // number of commands so far
     LocalPose pose;
     search::Driven driven;
   };
@@ -54,12 +53,12 @@ class Follower {
     Stage from;
     std::size_t cut = 0;
     std::vector<Segment> commands;
-    double blocked = 0.0;  // how much of it runs into something [m]
+    double blocked = 0.0;  // length of the blocked segments [m]
   };
 
-  /// Commands of the drive.
+  /// Range of commands of the drive.
   struct Window {
-    std::size_t first, last;  // the one after them
+    std::size_t first, last;  // the commands [first, last)
   };
 
   void cut(std::span<const Segment> way);
@@ -78,20 +77,21 @@ class Follower {
   commands::Closer& closer_;
   Rng rng_;
   std::int64_t checks_ = 0;
-  std::vector<Segment> way_;  // with a joint at each cut
+  std::vector<Segment> way_;  // the way, with a joint at each cut
   std::vector<Cut> cuts_;
-  std::size_t next_ = 0;        // cut
-  std::size_t tried_ = 0;       // cuts in vain since then
-  std::optional<Part> nearly_;  // free: that with the least in its way
-  std::vector<Stage> stages_;
-  std::vector<Segment> drive_;
-  // Of the whole drive: before each command and at the end, and how much of each runs into
-  // something.
+  std::size_t next_ = 0;        // index of the next cut
+  std::size_t tried_ = 0;       // cuts tried in vain, from `next_` on
+  std::optional<Part> nearly_;  // part to the next cuts that is blocked least, if none is free
+  std::vector<Stage> stages_;   // stages where the parts of the drive begin
+  std::vector<Segment> drive_;  // commands of the drive
+  /// Poses before each command of the drive, and at its end.
   std::vector<LocalPose> poses_;
+  /// Gears and curvatures before each command of the drive, and at its end.
   std::vector<search::Driven> driven_;
+  /// Blocked length of each command of the drive [m].
   std::vector<double> blocked_;
-  double left_ = 0.0;  // in all
-  int idle_ = 0;       // trials since there was more
+  double left_ = 0.0;  // blocked length of the whole drive [m]
+  int idle_ = 0;       // trials since `left_` last fell
 };
 
 }  // namespace vandplan::anytime

@@ -11,11 +11,11 @@
 
 namespace vandplan::anytime {
 
-/// The last routes that were worth a try.
+/// Remembers the last routes of different kinds.
 class Kinds {
  public:
-  /// Whether a route is unlike the last ones, or much cheaper than the one that it is like. Such a
-  /// route is remembered. `near` is how far apart routes of one kind are, at most [m].
+  /// Whether a route is unlike all remembered routes, or much cheaper than the route that it is
+  /// like. Such a route is remembered. `near`: largest distance between routes of one kind [m].
   bool is_new(const search::Route& route, double near) {
     constexpr double much_cheaper = 0.98;
     const auto alike = std::ranges::find_if(
@@ -31,7 +31,7 @@ class Kinds {
   }
 
  private:
-  std::vector<search::Route> known_;  // the newest one last
+  std::vector<search::Route> known_;  // remembered routes, the newest last
 };
 
 }  // namespace vandplan::anytime

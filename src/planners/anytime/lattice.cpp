@@ -10,21 +10,23 @@
 namespace vandplan::anytime {
 namespace {
 
-constexpr double hopeless_shot = 1.2;   // ways around that are longer than the shot by this
-constexpr double guide_trust = 0.9;     // of a way around on the grid, which is no bound
-constexpr double straight_cells = 1.5;  // length of a straight step: it leaves its cell
-constexpr std::size_t rare_shot = 256;  // poses expanded for one from afar
-// Where the curvature is continuous a shot takes half of the time, and once a route is known one of
-// a hundred is cheaper: one for so many poses is enough, but from nearby [turning radii].
+/// Ratio of the way around to open ground above which the exact path is not tried.
+constexpr double hopeless_shot = 1.2;
+constexpr double guide_trust = 0.9;  // trusted share of the guide's cost-to-go, which is no bound
+constexpr double straight_cells = 1.5;  // length of a straight step [cells], which leaves its cell
+constexpr std::size_t rare_shot = 256;  // expanded poses for one exact path from afar
+/// Expanded poses for one exact path, with continuous curvature and a known route. Exact paths take
+/// half of the time then, and one of a hundred is cheaper.
 constexpr std::size_t continuous_shot = 4;
+/// Cost-to-go within which exact paths are always tried [turning radii].
 constexpr double always_shot = 2.0;
-constexpr int looks = 8;  // at open ground, for one entry
+constexpr int looks = 8;  // entries ranked anew in one step, at most
 
 std::size_t slot_of(std::uint64_t key, std::size_t size) {
   return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15U) >> 20) & (size - 1);
 }
 
-/// As many locks to either side as make the clothoid from one to the next about a step long.
+/// Number of locks to either side that makes a clothoid from lock to lock about one step long.
 int locks_for(const Connector& connector, double step, int most) {
   if (connector.continuous() == nullptr) return 1;
   const double clothoid = 1 / (connector.radius() * connector.continuous()->curvature_rate());
@@ -49,7 +51,7 @@ Lattice::Lattice(const LocalPose& root, const LocalPose& target, const Gears& ge
   open({root, {std::isnan(gears.before.curvature) ? 0.0 : gears.before.curvature, 0.0}, 0.0, -1});
 }
 
-// Never 0, which marks a free slot.
+// Number of a node's cell; never 0, which marks a free slot.
 std::uint64_t Lattice::key_of(const Node& node) const {
   const double turn = 2 * std::numbers::pi / options_.headings;
   const auto x = static_cast<std::int64_t>(std::floor((node.pose.x - target_.x) / cell_));
@@ -79,7 +81,7 @@ Driven Lattice::driven_to(const Node& node) const {
   return last_driven(node.segment);
 }
 
-// False if it was closed before.
+// Closes a cell. False if it was closed before.
 bool Lattice::close(std::uint64_t key) {
   if (2 * closed_count_ >= closed_.size()) grow_table();
   std::size_t slot = slot_of(key, closed_.size());
@@ -107,7 +109,7 @@ void Lattice::open(const Node& node) {
   nodes_.push_back(node);
 }
 
-// Appends a step to the last leg of the route; a leg of continuous curvature ends where another
+// Appends a step to the last leg of the route. A leg with continuous curvature ends where another
 // piece may begin.
 void Lattice::append(const Segment& step, const LocalPose& end) {
   if (connector_.continuous() == nullptr) return drive_on(route_.legs, step, end);
@@ -118,7 +120,7 @@ void Lattice::append(const Segment& step, const LocalPose& end) {
   drive_on(route_.legs, step, end, SegmentRoom::size(), may_begin);
 }
 
-// Packs the steps into pieces and appends the last one.
+// Packs the steps to a node into legs and appends the exact path `last`.
 void Lattice::build_route(std::int32_t node, const Piece& last) {
   std::vector<std::int32_t> branch;
   for (std::int32_t i = node; nodes_[static_cast<std::size_t>(i)].parent >= 0;
@@ -138,7 +140,7 @@ bool Lattice::is_straight(double curvature) const {
   return std::abs(curvature) * connector_.radius() < straight_wheels;
 }
 
-// The entry whose turn it is, if that is found out with a few looks at open ground.
+// The entry of least rank; none if that needs more than a few looks at open ground.
 std::optional<Lattice::Entry> Lattice::next() {
   for (int i = 0; i < looks && !open_.empty(); ++i) {
     Entry entry = open_.top();
@@ -174,8 +176,8 @@ bool Lattice::shoot(const Entry& entry) {
   return true;
 }
 
-// Full lock to one side or straight on; or, where the curvature may not jump, as it is, and a
-// clothoid to the next lock to either side.
+// A step to a side, or straight on for side 0: an arc at full lock, or a line. Where the curvature
+// may not jump, it keeps its curvature or is a clothoid to the next lock.
 std::optional<Segment> Lattice::step_from(const Node& node, int side, GearSign direction) const {
   const double arc = direction * step_length_;
   const double line = direction * straight_cells * cell_;
@@ -196,7 +198,7 @@ std::optional<Segment> Lattice::step_from(const Node& node, int side, GearSign d
   return Segment{now, direction * std::abs(change) / rate, std::copysign(rate, change)};
 }
 
-// The nearest lock: `locks_` is full lock to the left.
+// Number of the nearest lock: 0 is straight, `locks_` is full lock to the left.
 int Lattice::lock_of(double curvature) const {
   return static_cast<int>(std::lround(curvature * connector_.radius() * locks_));
 }
@@ -227,8 +229,8 @@ void Lattice::expand(std::int32_t id) {
   }
 }
 
-// Adds what being near things costs on the way to a pose, which is known to be free. True if it is
-// no longer the first one then.
+// Adds the clearance cost of the step to a pose, which is known to be free. True if another entry
+// comes first then.
 bool Lattice::waits_for_cheaper(Entry entry) {
   Node& node = nodes_[static_cast<std::size_t>(entry.node)];
   node.is_free = true;

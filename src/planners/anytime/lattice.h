@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which way is there, systematically? A search over arcs and lines of fixed length, one continuous
-// pose per cell (Hybrid A*, Dolgov et al. 2010). Its routes are seeds for the shortener. Where the
-// curvature is continuous, clothoids lead from lock to lock, and a cell is one for each of them.
+// Which routes does a systematic search find?
+//
+// A search over arcs and lines of fixed length, with one continuous pose per cell (Hybrid A*,
+// Dolgov et al. 2010). Its routes are seeds for the shortener. With continuous curvature, clothoids
+// lead from lock to lock, and each lock has cells of its own.
 
 #include <limits>
 #include <optional>
@@ -18,52 +20,57 @@ namespace vandplan::anytime {
 
 using namespace search;
 
-/// How fine and how greedy one search is.
+/// Fineness and greediness of one search.
 struct LatticeOptions {
-  int headings = 24;        ///< cells of a full turn; an arc step turns by one of them
+  int headings = 24;        ///< heading cells of a full turn; an arc step turns by one of them
   double cell = 0.25;       ///< side of a position cell [turning radii]
   double greediness = 1.0;  ///< weight of the cost-to-go; >= 1
-  /// A pose's turn comes without regard to what is near: routes are found sooner, not the best.
+  /// Whether the order of poses ignores the price of clearance. Routes are then found sooner, but
+  /// not the best ones.
   bool overlooks_clearance = false;
-  /// Beyond, the exact path to the target is tried once in a while only [turning radii].
+  /// Cost-to-go beyond which the exact path to the target is tried only rarely [turning radii].
   double far_shot = std::numeric_limits<double>::infinity();
+  /// Largest possible number of locks to either side of straight.
   static constexpr int all_locks = 8;
-  /// Where the curvature is continuous: locks to either side of straight; 1 to `all_locks`.
+  /// Most locks to either side of straight where the curvature is continuous, 1 to `all_locks`.
   int most_locks = all_locks;
 };
 
-/// One search from `root` to `target`; what is driven before and after it are its gears.
+/// One search from `root` to `target`. `gears`: what is driven before and after the route.
 class Lattice {
  public:
+  /// Guide and connector outlive the search.
   Lattice(const LocalPose& root, const LocalPose& target, const Gears& gears,
           const LatticeOptions& options, const Guide& guide, Connector& connector);
 
-  /// Expands one pose. True when a route was found that is cheaper than those before: `route`.
+  /// Expands one pose. True when a route was found that is cheaper than all before: `route`.
   [[nodiscard]] bool step();
 
-  /// Nothing is left that could be cheaper than the cutoff.
+  /// Whether no pose is left that could lead to a route cheaper than the cutoff.
   [[nodiscard]] bool is_exhausted() const { return open_.empty(); }
-  /// Only routes cheaper than this are of interest.
+  /// Ignores routes that do not cost less than `cost` from now on.
   void set_cutoff(double cost) { cutoff_ = std::min(cutoff_, cost); }
   [[nodiscard]] const Route& route() const { return route_; }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
 
  private:
+  /// Pose that was reached, with its step from the parent.
   struct Node {
     LocalPose pose;
-    Segment segment;  // from the parent
+    Segment segment;  // step from the parent
     double cost_to_come;
     std::int32_t parent;
-    bool is_free = false;  // the way from the parent, as far as is known
+    bool is_free = false;  // whether the step is known to be free
   };
-  // Ranked by the way around at first, and again by the larger of both when its turn comes: most
-  // never get there.
+  /// Entry of the open list. It is ranked by the cost-to-go of the guide at first, and by the
+  /// larger of both estimates when its turn comes. Most entries never get a turn.
   struct Entry {
     double rank;
-    double around;
-    double open_ground;  // what no way on open ground costs less than; 0 until it is known
+    double around;       // cost-to-go by the guide
+    double open_ground;  // lower bound of the cost-to-go on open ground; 0 until it is known
     std::int32_t node;
-    bool operator<(const Entry& other) const {  // a queue has its greatest in front
+    /// Whether `other` comes first: a std::priority_queue has its greatest entry in front.
+    bool operator<(const Entry& other) const {
       return rank != other.rank ? rank > other.rank : node > other.node;
     }
   };
@@ -93,10 +100,11 @@ class Lattice {
   double cutoff_;
   double step_length_;
   double cell_;
-  int locks_;  // to either side of straight; more than one where the curvature is continuous
+  /// Locks to either side of straight; more than one only where the curvature is continuous.
+  int locks_;
   std::vector<Node> nodes_;
   std::priority_queue<Entry> open_;
-  std::vector<std::uint64_t> closed_;  // open addressing; 0 is free
+  std::vector<std::uint64_t> closed_;  // keys of closed cells, by open addressing; 0 is free
   std::size_t closed_count_ = 0;
   Route route_;
 };

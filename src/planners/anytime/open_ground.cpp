@@ -15,20 +15,21 @@ namespace {
 
 using steering::Closing;
 
-// Of the curvature, relative: what the judge allows, too. Scaled up by it a path turns within the
-// radius, and ends so much farther away.
+/// Slack of the curvature, relative, as the judge allows. A path scaled up by it keeps to the
+/// turning radius, and ends farther away by the same share.
 constexpr double curvature_slack = 1e-9;
 
 double distance(const Task& task) {
   return std::hypot(task.goal.x - task.start.x, task.goal.y - task.start.y);
 }
 
-// Between poses that are as far apart as this: one behind the other, beside it, turned on the spot.
+// Upper bound of the length between two poses that are `off` from each other: driven ahead, beside
+// and turned on the spot.
 double longest_between(const Closing& off, double radius) {
   return off.position + reeds_shepp_length({}, {0, off.position, 0}, radius) + radius * off.heading;
 }
 
-// How far the goal may be off as seen from the start, which may be off itself.
+// How far the goal may be off as seen from the start, if the start is off itself.
 Closing seen_from_start(const Task& task, const Closing& ends) {
   const double apart = distance(task) + 2 * ends.position;
   return {2 * ends.position + (ends.heading + curvature_slack) * apart, 2 * ends.heading};
@@ -36,8 +37,8 @@ Closing seen_from_start(const Task& task, const Closing& ends) {
 
 }  // namespace
 
-// The Reeds-Shepp length is a distance, so moving an end changes it by no more than the length of
-// the move.
+// The Reeds-Shepp length is a distance. So moving an end changes it by at most the length of the
+// move.
 OpenGround open_ground(const Task& task, const search::CostRule& rule, const Closing& ends) {
   const double radius = task.vehicle.min_turning_radius;
   const double shortest = reeds_shepp_length(task.start, task.goal, radius);
@@ -56,7 +57,7 @@ double least_length(const OpenGround& ground, const search::CostRule& rule) {
   return rule.allows_both() ? ground.shortest : rule.allows(1) ? ground.forward : ground.reverse;
 }
 
-// In one gear only it may have to change gear before it begins, unless it drives no metre.
+// A path in one gear may change gear before it begins, unless its length is 0.
 double least_cost(const OpenGround& ground, const search::CostRule& rule, double around) {
   if (rule.is_length()) return std::max(ground.shortest, around);
   double least = std::numeric_limits<double>::infinity();

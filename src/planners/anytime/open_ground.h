@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What does a path cost at least, whatever stands in the way?
+// What does a path cost at least, whatever the obstacles?
 
 #include "steering/words.h"
 #include "vandplan/problem.h"
@@ -9,27 +9,27 @@
 
 namespace vandplan::anytime {
 
-/// What is proven of all paths on open ground. A path is driven forward only, or in reverse only,
-/// or changes gear.
+/// Lower bounds for all paths on open ground. A path is driven forward only, or in reverse only, or
+/// changes gear.
 struct OpenGround {
-  double forward = 0.0;   ///< length of a path that is driven forward only, at least [m]
-  double reverse = 0.0;   ///< in reverse only [m]
-  double shortest = 0.0;  ///< of any path [m]
-  /// What a path may save by ending beside the poses, as the judge allows [m].
+  double forward = 0.0;   ///< lower bound of the length of paths driven forward only [m]
+  double reverse = 0.0;   ///< lower bound of the length of paths driven in reverse only [m]
+  double shortest = 0.0;  ///< lower bound of the length of all paths [m]
+  /// Most that a path saves if its ends are off as far as is allowed [m].
   double leeway = 0.0;
 };
 
-/// Length of the shortest path in the gears that a rule allows, at least [m].
+/// Lower bound of the length of paths in the gears that a rule allows [m].
 [[nodiscard]] double least_length(const OpenGround& ground, const search::CostRule& rule);
 
-/// Under prices all of it holds for every path that the judge accepts: start and goal may be off by
-/// its tolerance, or by another one, which is then the leeway. Under a neutral rule it holds for
-/// paths that begin and end just there, and nothing is left open.
+/// Lower bounds of a task. With prices they hold for every path whose ends are off by at most
+/// `ends`, which is the judge's tolerance by default. By length they hold for exact ends only, and
+/// the leeway is 0.
 [[nodiscard]] OpenGround open_ground(const Task& task, const search::CostRule& rule,
                                      const steering::Closing& ends = steering::judged);
 
-/// What no path costs less than, if none is shorter than `around`, because of what stands in the
-/// way [m].
+/// Lower bound of the cost of all paths [m], if none is shorter than `around` metres because of
+/// obstacles.
 [[nodiscard]] double least_cost(const OpenGround& ground, const search::CostRule& rule,
                                 double around);
 

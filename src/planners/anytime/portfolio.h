@@ -19,7 +19,7 @@
 
 namespace vandplan::anytime {
 
-/// How far a run is.
+/// State of a run, as far as shares depend on it.
 struct Progress {
   std::int64_t rounds = 0;             ///< rounds so far
   std::int64_t rounds_with_route = 0;  ///< rounds that began with a route
@@ -28,40 +28,43 @@ struct Progress {
   bool is_settled = false;             ///< whether the best cost hardly falls any more
 };
 
-/// How much a worker does in the next round.
+/// Gives the iterations of a worker in the next round, or the steps of its proof.
 using Share = std::function<std::int64_t(const Progress&)>;
 
 /// When in a round a worker works.
 enum class Phase {
-  before,    ///< alone, step by step, until the best cost is good enough
-  together,  ///< beside the others
-  after,     ///< alone, when what the others found is known
+  before,    ///< the worker works alone, first, until the best cost is good enough
+  together,  ///< the worker works beside others
+  after,     ///< the worker works alone, last, and hears the results of others
 };
 
-/// A worker in its place.
+/// A worker and its share of the work.
 struct Slot {
   std::string_view name;
   std::unique_ptr<Worker> worker;
   Share share;        ///< iterations of the next round
-  Share proofs = {};  ///< steps of proving beside them, which are no iterations
+  Share proofs = {};  ///< steps of proving in the next round, which are no iterations
   Phase phase = Phase::together;
-  bool is_relaxed = false;  ///< whether its routes are of the relaxed task: no answers, but offers
-  std::vector<std::size_t> feeds = {};  ///< slots that hear of the routes that are given up here
+  /// Whether the worker plans the relaxed task. Then its routes are no answers; other workers make
+  /// drives of them.
+  bool is_relaxed = false;
+  std::vector<std::size_t> feeds = {};  ///< slots that hear of the routes given up here
 };
 
-/// All that a run needs. What it brings depends on nothing else.
+/// All that a run needs. The outcome of the run depends on nothing else.
 struct Portfolio {
   std::unique_ptr<const planning::Pricing> pricing;
-  std::unique_ptr<const Task>
-      relaxed;  ///< the task of wheels that turn at once; null if none uses it
+  /// Task with wheels that turn at once; null if no worker uses it.
+  std::unique_ptr<const Task> relaxed;
   CostBound bound;
   Finisher finisher;
-  std::vector<Slot> slots;                 ///< in the order in which they are granted and merged
-  std::vector<search::Route> routes = {};  ///< known before the first round
-  std::optional<Drive> drive = {};         ///< known before the first round
-  /// The run ends at a cost that is proven to be as near to the optimum, relative; never, if none.
+  std::vector<Slot> slots;                 ///< workers, in the order of granting and merging
+  std::vector<search::Route> routes = {};  ///< routes known before the first round
+  std::optional<Drive> drive = {};         ///< drive known before the first round
+  /// Largest proven gap at which the run ends [relative]; none: a gap does not end it.
   std::optional<double> gap = {};
-  /// Whether routes are compared by the cost of the answer; otherwise drives alone are.
+  /// Whether the cost of a route is that of the answer. If not, only drives have the cost of the
+  /// answer.
   bool routes_are_answers = true;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which routes follow the paths that somebody else proposes?
+// Which routes follow the paths that a source of the caller proposes?
 
 #include <memory>
 
@@ -11,9 +11,10 @@
 
 namespace vandplan::anytime {
 
-/// Makes a free route of each path that a source of the caller proposes, if there is one.
+/// Makes a free route of each path that a source of the caller proposes, if it finds one.
 class Proposals final : public Source {
  public:
+  /// `paths` must not be null. The task outlives the object.
   Proposals(const Task& task, const search::CostRule& rule, std::unique_ptr<PathSource> paths,
             std::uint64_t seed);
 
@@ -29,7 +30,7 @@ class Proposals final : public Source {
   search::Connector connector_;
   std::unique_ptr<PathSource> paths_;
   std::uint64_t seed_;
-  std::uint64_t proposed_ = 0;  // paths so far; each has a seed
+  std::uint64_t proposed_ = 0;  // paths proposed so far; numbers their seeds
   search::Route found_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Who proves how short no path can be, and that there is none?
+// Which workers prove a lower bound, or that there is no path?
 
 #include <optional>
 
@@ -12,11 +12,11 @@
 
 namespace vandplan::anytime {
 
-/// Proves how short no path can be: its iterations for a point that may turn at once, its steps for
-/// a vehicle, which has to turn.
+/// Proves a lower bound of the length of all paths. Iterations bound the way around obstacles of a
+/// disc, which may turn at once. Steps bound the way of the vehicle, with its headings.
 class LengthProver final : public Worker {
  public:
-  /// The paths are in the gear `only`; 0: in both gears. The task outlives the worker.
+  /// `only`: gear of all paths; 0: both gears. The task outlives the worker.
   LengthProver(const Task& task, search::GearSign only);
 
   [[nodiscard]] bool has_work() const override { return !geodesic_ || !geodesic_is_final_; }
@@ -29,14 +29,15 @@ class LengthProver final : public Worker {
  private:
   const Task& task_;
   search::GearSign only_;
-  std::optional<search::Geodesic> geodesic_;  // both none before the first iteration
+  /// Bounds of a disc and of the vehicle; both none before the first iteration.
+  std::optional<search::Geodesic> geodesic_;
   std::optional<search::PoseFlood> flood_;
   bool geodesic_is_final_ = false, flood_is_final_ = false;
-  double best_cost_;  // of all routes that it knows of
+  double best_cost_;  // least cost of all routes that the worker knows
 };
 
-/// Proves that nothing as wide as the vehicle gets from the start to the goal. It has no
-/// iterations: what a budget of iterations brings does not depend on it.
+/// Proves that nothing as wide as the vehicle gets from the start to the goal. It has steps but no
+/// iterations, so results of an iteration budget do not depend on it.
 class WallProver final : public Worker {
  public:
   /// The task outlives the worker.

@@ -28,9 +28,9 @@ class Refiner final : public Worker {
   Connector connector_;
   Scope scope_;
   std::uint64_t seed_;
-  std::uint64_t routes_ = 0;          // so far; each has a seed
-  double best_cost_ = 0.0;            // of all routes that it knows of
-  std::optional<Shortener> refined_;  // none while there is no route
+  std::uint64_t routes_ = 0;          // routes refined so far; numbers their seeds
+  double best_cost_ = 0.0;            // least cost of all routes that the worker knows
+  std::optional<Shortener> refined_;  // shortens the best route; none while there is no route
 };
 
 }  // namespace vandplan::anytime

@@ -9,10 +9,11 @@
 namespace vandplan::anytime {
 namespace {
 
+/// Cells, greediness and prices of one search.
 struct Style {
   LatticeOptions lattice;
-  double price;  // of a gear change, times the true one; 0: by length alone
-  double slack;  // what shortening may take off its routes
+  double price;  // factor on the price of a gear change; 0: by length alone
+  double slack;  // a route may cost so many times the best: shortening takes that off
 };
 
 constexpr std::array<Style, 10> styles = {{{{12, 0.5, 2.0}, 1.0, 1.15},
@@ -26,10 +27,11 @@ constexpr std::array<Style, 10> styles = {{{{12, 0.5, 2.0}, 1.0, 1.15},
                                            {{384, 0.015, 3.0}, 1.0, 1.05},
                                            {{768, 0.0075, 3.0}, 1.0, 1.05}}};
 constexpr std::size_t first_joined = 6;      // styles that take turns from the beginning
-constexpr std::int64_t first_turn = 256;     // expansions
-constexpr std::int64_t first_of_all = 1024;  // the coarsest search begins with more
-constexpr std::size_t most_nodes = 100'000;  // of one search
+constexpr std::int64_t first_turn = 256;     // expansions of a first turn
+constexpr std::int64_t first_of_all = 1024;  // expansions of the coarsest search's first turn
+constexpr std::size_t most_nodes = 100'000;  // nodes of one search
 
+/// The rule with another price of gear changes, as in `Style`.
 CostRule priced(CostRule rule, double price) {
   if (price == 0.0) {
     CostRule by_length = length_rule(rule);
@@ -56,7 +58,8 @@ Rotation::Rotation(const Task& task, const CostRule& rule, const LocalPose& root
   current_ = joined_ - 1;
 }
 
-// The next search that is not done; false if there is none. One more joins each time around.
+// Finds the next search that is not done; false if there is none. One more search joins each time
+// around.
 bool Rotation::begin_turn() {
   for (std::size_t tried = 0; tried < 2 * searches_.size(); ++tried) {
     if (++current_ >= joined_) {
@@ -89,7 +92,7 @@ bool Rotation::step(double cutoff) {
     left_ = 0;
     return false;
   }
-  // Under dearer prices a route costs more than it will.
+  // Raised prices make a route dearer than it is.
   const Style& style = styles[current_];
   lattice.set_cutoff(style.slack * std::max(style.price, 1.0) * cutoff);
   return lattice.step();

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which other kinds of way are there? When driving has prices, ways of many kinds come near to the
-// best: around the other side, with another number of strokes. One search finds one of them first.
+// Which other kinds of way are there?
+//
+// With prices, ways of many kinds cost about as much as the best: around the other side, or with
+// another number of strokes. One search finds one of them first.
 
 #include <cstdint>
 #include <memory>
@@ -12,32 +14,33 @@
 
 namespace vandplan::anytime {
 
-/// Lattice searches from one root, of different cells, greediness and prices, that take turns. No
-/// search holds the others up, and each goes on where it was.
+/// Lattice searches from one root, with different cells, greediness and prices, that take turns.
+/// Each goes on where it was, and none blocks the others.
 class Rotation {
  public:
-  /// `rule` is that of the direction of the search. All arguments but the poses and the rule
-  /// outlive the rotation.
+  /// `rule`: prices in the direction of the search. The task and the guide outlive the rotation.
   Rotation(const Task& task, const CostRule& rule, const LocalPose& root, const LocalPose& target,
            const Gears& gears, const Guide& guide);
 
-  /// Expands one pose. True when a route was found: `route`. Only routes that cost less than
-  /// `cutoff` by now, or a little more, are of interest.
+  /// Expands one pose. True when a route was found: `route`. Routes that cost much more than
+  /// `cutoff`, the cost of the best route, are ignored.
   [[nodiscard]] bool step(double cutoff);
 
-  /// From the root to the target; its cost is that under the prices of its search.
+  /// The last route that was found, from the root to the target. Its cost is by the prices of its
+  /// search.
   [[nodiscard]] const Route& route() const;
-  /// No search has anything left.
+  /// Whether all searches have ended.
   [[nodiscard]] bool is_finished() const { return finished_; }
   [[nodiscard]] std::int64_t solves() const;
   [[nodiscard]] std::int64_t checks() const;
   [[nodiscard]] std::size_t size() const;
 
  private:
+  /// One of the searches.
   struct Search {
     Search(const Task& task, const CostRule& rule) : connector(task, rule) {}
     Connector connector;
-    std::unique_ptr<Lattice> lattice;  // null before its first turn and when it is done
+    std::unique_ptr<Lattice> lattice;  // null before the first turn and after the end
     bool done = false;
   };
 
@@ -48,10 +51,10 @@ class Rotation {
   Gears gears_;
   const Guide& guide_;
   std::vector<std::unique_ptr<Search>> searches_;
-  std::size_t current_ = 0;
-  std::size_t joined_;  // how many take turns
-  std::int64_t turn_;   // expansions of one turn
-  std::int64_t left_ = 0;
+  std::size_t current_ = 0;  // index of the search whose turn it is
+  std::size_t joined_;       // number of searches that take turns
+  std::int64_t turn_;        // expansions of one turn
+  std::int64_t left_ = 0;    // expansions left in this turn
   bool finished_ = false;
 };
 

@@ -10,9 +10,10 @@
 namespace vandplan::anytime {
 namespace {
 
-constexpr double a_good_deal = 0.999;     // of the cost
-constexpr int most_idle_rounds = 128;     // in a row
-constexpr std::int64_t unsettled = 4000;  // iterations
+/// A cost below this share of the noted cost has clearly fallen.
+constexpr double a_good_deal = 0.999;
+constexpr int most_idle_rounds = 128;     // rounds in a row without work that end a run
+constexpr std::int64_t unsettled = 4000;  // iterations before a cost counts as settled
 
 }  // namespace
 
@@ -28,7 +29,7 @@ Run::Run(Portfolio portfolio, const search::Budget& budget, const BudgetOptions&
   note({{{budget_.elapsed(), 0, drive_->cost}}});
 }
 
-// A route that was there before the first round.
+// Takes a route that is known before the first round.
 void Run::take(search::Route route) {
   if (route_ && route.cost >= route_->cost) return;
   route_ = std::move(route);
@@ -38,7 +39,7 @@ void Run::take(search::Route route) {
   }
 }
 
-// How many of the `wanted` iterations there are when `promised` ones are taken first.
+// Number of the `wanted` iterations that are left after `promised` ones.
 std::int64_t Run::left(std::int64_t wanted, std::int64_t promised) const {
   const std::int64_t most = pause_ - budget_.iterations() - promised;
   return std::min(budget_.left(wanted, promised), std::max<std::int64_t>(most, 0));
@@ -62,13 +63,13 @@ Best Run::best() const {
   return {&*route_, is_drive ? &*drive_ : nullptr, is_optimal()};
 }
 
-// Cost of the best answer, as it was found.
+// Cost of the best answer before tidying.
 double Run::cost() const {
   if (!portfolio_.routes_are_answers) return drive_->cost;
   return drive_ ? std::min(route_->cost, drive_->cost) : route_->cost;
 }
 
-// Cost of the best path by the prices that the workers search by.
+// Cost of the best path by the prices of the searches.
 double Run::cost_of_search() const { return portfolio_.routes_are_answers ? cost() : route_->cost; }
 
 Proven Run::proven() const {
@@ -82,15 +83,15 @@ Proven Run::proven() const {
   return all;
 }
 
-// What a path may cost to be as near to the optimum as was asked for, as far as is proven.
+// Largest cost that is proven to be within the gap of the optimum; 0 without a gap.
 double Run::enough() const {
   return portfolio_.gap ? (1 + *portfolio_.gap) * portfolio_.bound.least(proven()) : 0.0;
 }
 
 bool Run::is_optimal() const { return route_ && portfolio_.bound.is_optimal(cost(), proven()); }
 
-// Whether the best path is proven to be as near to the optimum as was asked for, with strokes as
-// long as was asked for.
+// Whether the best path is proven to be within the gap of the optimum, even with strokes of
+// `min_stroke`.
 bool Run::is_good_enough() {
   if (!route_ || !portfolio_.gap) return false;
   const double found = cost();
@@ -128,13 +129,13 @@ void Run::note_cost() {
   noted_at_ = budget_.iterations();
 }
 
-// Routes of the relaxed task are no answers, but others make routes of them.
+// Takes results of the relaxed task: routes are no answers, but other workers make drives of them.
 void Run::merge_relaxed(Found& found) {
   budget_.spend(found.iterations);
   if (found.route) found.given_up.push_back(*std::move(found.route));
 }
 
-// As long as a gap is to be proven: raises the bound, no further than it takes.
+// Lets a worker raise the bound until the gap is proven or its share is used up.
 void Run::work_before(Slot& slot) {
   std::int64_t steps = route_ ? slot.share(progress()) : 0;
   for (; steps > 0 && !is_good_enough(); --steps) {
@@ -208,8 +209,9 @@ void Run::round() {
   if (may_work) idle_rounds_ = is_idle ? idle_rounds_ + 1 : 0;
 }
 
-// Whether all that may bring anything was tried: some workers wait for later rounds. Proving alone
-// goes on until the time is over, if that is limited: no number of iterations would end it.
+// Whether a run with a route was idle for many rounds; some workers wait for later rounds. With a
+// time limit a round of proofs is not idle. Without a limit it is, as iterations would never end
+// it.
 bool Run::is_exhausted() const { return route_ && idle_rounds_ >= most_idle_rounds; }
 
 bool Run::advance() {
@@ -223,7 +225,7 @@ void Run::make_drivable() {
   if (!route_) return;
   const Best best_found = best();
   std::vector<Segment> raw = portfolio_.finisher.raw(best_found);
-  if (raw == raw_) return;  // it was made drivable before
+  if (raw == raw_) return;  // the answer has not changed
   raw_ = raw;
   segments_ = std::move(raw);
   std::optional<Drive> neat = portfolio_.finisher.finished(best_found, segments_);
@@ -268,7 +270,7 @@ PlannerAnswer Run::answer() {
     answer.reason = "proven: nothing as wide as the vehicle gets from the start to the goal";
     return answer;
   }
-  answer.status = end_.value_or(PlanStatus::iteration_limit);  // it has only paused
+  answer.status = end_.value_or(PlanStatus::iteration_limit);  // the run has only paused
   return answer;
 }
 

@@ -17,21 +17,21 @@
 
 namespace vandplan::anytime {
 
-/// Lets the workers of a portfolio work in rounds. A worker hears of the others between rounds
-/// only, and what they bring is merged in a fixed order: the outcome does not depend on the number
-/// of threads.
+/// Lets the workers of a portfolio work in rounds. Workers hear of each other only between rounds,
+/// and results are merged in a fixed order. So the outcome does not depend on the number of
+/// threads.
 class Run {
  public:
-  /// The budget has begun.
+  /// `budget` has begun; it was made from `options`.
   Run(Portfolio portfolio, const search::Budget& budget, const BudgetOptions& options);
 
-  /// One round. False if there is nothing left to do or the budget is spent.
+  /// Does one round. False if nothing is left to do or the budget is spent.
   bool advance();
-  /// Rounds do at most so many more iterations together, until this is called again.
+  /// Limits all later rounds together to so many more iterations, until the next call.
   void pause_after(std::int64_t iterations) { pause_ = budget_.iterations() + iterations; }
 
   [[nodiscard]] std::int64_t iterations() const { return budget_.iterations(); }
-  /// What is driven along the cheapest path so far, tidied; none while there is none.
+  /// Segments of the cheapest path so far, tidied; none while no path is known.
   [[nodiscard]] std::optional<std::vector<Segment>> path();
   /// The answer, as if the run ended here.
   [[nodiscard]] PlannerAnswer answer();
@@ -66,19 +66,22 @@ class Run {
   int threads_;
   bool has_time_limit_;
   std::int64_t pause_ = std::numeric_limits<std::int64_t>::max();  // iteration of the next pause
-  std::optional<PlanStatus> end_;                                  // why the budget ended
-  std::optional<search::Route> route_;                             // the cheapest
-  std::optional<Drive> drive_;                                     // the cheapest
-  std::vector<CostSample> trace_;
+  std::optional<PlanStatus> end_;       // why the run ended, if the budget was spent
+  std::optional<search::Route> route_;  // cheapest route
+  std::optional<Drive> drive_;          // cheapest drive
+  std::vector<CostSample> trace_;       // costs of each improvement
   std::int64_t rounds_ = 0, rounds_with_route_ = 0;
-  std::int64_t proofs_of_round_ = 0;                             // steps of proving in this round
-  int idle_rounds_ = 0;                                          // rounds in a row without any work
-  double noted_cost_ = std::numeric_limits<double>::infinity();  // of the best route
-  std::int64_t noted_at_ = 0;         // iteration at which that last fell a good deal
-  double cost_before_strokes_ = 0.0;  // of the route that was made drivable last
-  double cost_with_strokes_ = 0.0;    // of what was made of it
-  std::vector<Segment> raw_;          // that `segments_` were made from
-  std::vector<Segment> segments_;     // what is driven
+  std::int64_t proofs_of_round_ = 0;  // steps of proving in this round
+  int idle_rounds_ = 0;               // rounds in a row without any work
+  /// Cost of the best path when it last fell clearly.
+  double noted_cost_ = std::numeric_limits<double>::infinity();
+  /// Iteration at which the best cost last fell clearly.
+  std::int64_t noted_at_ = 0;
+  /// Cost of the path whose strokes were lengthened last to test the gap, before and after that.
+  double cost_before_strokes_ = 0.0;
+  double cost_with_strokes_ = 0.0;
+  std::vector<Segment> raw_;       // segments that `segments_` were made of
+  std::vector<Segment> segments_;  // segments of the answer, tidied
 };
 
 }  // namespace vandplan::anytime

@@ -9,10 +9,12 @@
 namespace vandplan::anytime {
 namespace {
 
-constexpr double hopeless_excess = 20.0;             // over the best cost, times the trials it took
-constexpr double hopeless_excess_with_prices = 8.0;  // more routes come then
-constexpr double worth_a_try = 0.98;                 // of the cost of a route of its kind
-constexpr std::size_t remembered = 6;                // routes that were given up
+/// Relative excess of a route times its trials above which the route is hopeless: by length, and
+/// with prices, where more routes come.
+constexpr double hopeless_excess = 20.0;
+constexpr double hopeless_excess_with_prices = 8.0;
+constexpr double worth_a_try = 0.98;   // share of a given-up cost below which a like route is tried
+constexpr std::size_t remembered = 6;  // number of given-up routes that are remembered
 
 }  // namespace
 
@@ -41,8 +43,8 @@ Counts Seeker::counts() const {
   return counts;
 }
 
-// A route that is far above the best after many trials will not win: what shortening gains falls
-// about as one over the number of trials (docs/algorithms/anytime.md).
+// Whether the candidate will not win: it is far above the best route after many trials. What
+// shortening gains falls about as one over the number of trials (docs/algorithms/anytime.md).
 bool Seeker::is_hopeless() const {
   const double excess = candidate_->cost() / best_cost_ - 1.0;
   const double most = connector_.rule().is_length() ? hopeless_excess : hopeless_excess_with_prices;
@@ -50,7 +52,7 @@ bool Seeker::is_hopeless() const {
          excess * static_cast<double>(trials_) / candidate_->trials_for_one() > most;
 }
 
-// With prices searches find many routes of the kinds that were tried in vain.
+// Whether a route of the same kind was given up. With prices searches find many such routes.
 bool Seeker::is_known(const Route& route) const {
   if (route.cost < best_cost_) return false;
   return std::ranges::any_of(in_vain_, [&](const Route& other) {
@@ -66,7 +68,7 @@ void Seeker::give_up() {
   in_vain_.push_back(std::move(raw_));
 }
 
-// True when the source has found a route that is worth to be shortened.
+// True when the source has found a route that is worth shortening.
 bool Seeker::begin() {
   source_->set_cutoff(best_cost_);
   if (!source_->step()) return false;
@@ -79,7 +81,7 @@ bool Seeker::begin() {
   return true;
 }
 
-// The cost of a route better than all that it knew of, if there is one now.
+// The cost of a new best route, if there is one.
 std::optional<double> Seeker::step() {
   if (candidate_) {
     candidate_->step();  // [5]
@@ -92,7 +94,7 @@ std::optional<double> Seeker::step() {
     return std::nullopt;
   }
   best_cost_ = candidate_->cost();
-  // Another one that has won in this round may be of another kind.
+  // The former winner of this round may be of another kind.
   if (winner_) given_up_.push_back(*std::move(winner_));
   winner_ = candidate_->route();
   candidate_.reset();

@@ -14,12 +14,11 @@
 
 namespace vandplan::anytime {
 
-/// Takes routes from a source, one after the other, and shortens each for as long as it may become
-/// the best one.
+/// Takes routes from a source one by one, and shortens each as long as it may become the best.
 class Seeker final : public Worker {
  public:
-  /// `make` is called when the worker gets its first iterations or its first offer: what other
-  /// workers find before may make it needless. The task and the rule outlive the worker.
+  /// `make` is called when the worker gets its first iterations or its first offer. Other workers
+  /// may make it needless before. The task and the rule outlive the worker.
   Seeker(const Task& task, const CostRule& rule, Scope scope, std::uint64_t seed,
          std::function<std::unique_ptr<Source>()> make);
 
@@ -44,15 +43,15 @@ class Seeker final : public Worker {
   Connector connector_;
   Scope scope_;
   std::uint64_t seed_;
-  double best_cost_;                    // of all routes that it knows of
-  double told_cost_;                    // of the best route that the source was told
-  std::optional<Shortener> candidate_;  // a route that may win yet
-  Route raw_;                           // the candidate as it was found
-  std::int64_t trials_ = 0;             // spent on the candidate
-  std::uint64_t candidates_ = 0;        // so far; each has a seed
-  std::optional<Route> winner_;         // of this round
-  std::vector<Route> given_up_;         // in this round, shortened
-  std::vector<Route> in_vain_;          // the last ones that were given up, as they were found
+  double best_cost_;                    // least cost of all routes that the worker knows
+  double told_cost_;                    // cost of the best route that the source was told
+  std::optional<Shortener> candidate_;  // route that is being shortened and may become the best
+  Route raw_;                           // the candidate before shortening
+  std::int64_t trials_ = 0;             // trials spent on the candidate
+  std::uint64_t candidates_ = 0;        // candidates so far; numbers their seeds
+  std::optional<Route> winner_;         // best new route of this round
+  std::vector<Route> given_up_;         // routes given up in this round, shortened
+  std::vector<Route> in_vain_;          // last routes that were given up, before shortening
 };
 
 }  // namespace vandplan::anytime

@@ -3,31 +3,32 @@
 #pragma once
 // How much of the work does each worker get?
 //
-// Why so much: docs/lab/anytime.md.
+// Reasons for the numbers: docs/lab/anytime.md.
 
 #include <algorithm>
 #include <cstdint>
 
 namespace vandplan::anytime {
 
-/// A share of the work, from some round on.
+/// Share of a worker from a given round on.
 struct Turn {
-  std::int64_t first_round;  ///< first round with work
-  std::int64_t share;        ///< iterations of a round
+  std::int64_t first_round;  ///< first round in which the worker gets iterations
+  std::int64_t share;        ///< iterations of the worker in each round
 };
 
 /// The iterations of one worker in a round, in each kind of run.
 struct Row {
-  Turn until_route;        ///< while there is no route: what is cheap comes first
-  std::int64_t by_length;  ///< with a route, where its length counts
-  std::int64_t by_time;    ///< with a route, where the time has a price
-  std::int64_t by_prices;  ///< with a route, where its prices count, and it is bent
-  /// From so many rounds with a route on, where a gap is to be proven or a path was known: rounds
-  /// are short, and what mostly proves the gap comes first.
+  Turn until_route;        ///< share while there is no route; cheap workers begin first
+  std::int64_t by_length;  ///< iterations with a route, if the cost is the length
+  std::int64_t by_time;    ///< iterations with a route, if time has a price
+  std::int64_t by_prices;  ///< iterations with a route, if the path has prices and routes are bent
+  /// Share with a route, if `target_gap` is set or the run began with a known path. `first_round`
+  /// counts rounds with a route. Rounds are short then, and workers that prove most gaps come
+  /// first.
   Turn with_gap;
-  Turn far_until_route = {};       ///< over a whole site: a first way
-  std::int64_t far_by_length = 0;  ///< over a whole site, with a route
-  std::int64_t far_by_prices = 0;
+  Turn far_until_route = {};       ///< share over a whole site, while there is no route
+  std::int64_t far_by_length = 0;  ///< iterations over a whole site with a route, by length
+  std::int64_t far_by_prices = 0;  ///< iterations over a whole site with a route, not by length
 };
 
 namespace shares {
@@ -39,40 +40,43 @@ inline constexpr Row length_prover{{}, 2, 2, 1, {0, 1}, {}, 4, 1};
 inline constexpr Row bend{{}, 24, 0, 96, {0, 24}};
 inline constexpr Row survey{{}, 0, 0, 16, {}};
 
-/// Share of the survey until its first way is found, if that is of the relaxed task, and in its
-/// first look: what that brings cannot come too soon.
+/// Share of a relaxed survey in its first pass, the glance [iterations a round]. It is large,
+/// because a first route of another kind is wanted soon.
 inline constexpr std::int64_t first_glance = 200;
+/// Share of the survey in its first look, or in a glance that is not relaxed [iterations a round].
 inline constexpr std::int64_t first_look = 100;
 
-/// Samples of the trees in each round until there is a route. Trees that found nothing by the later
-/// round are in a tight place: only the lattices get through.
+/// Samples of the trees in each of the first rounds, while there is no route.
 inline constexpr std::int64_t early_trees = 16;
+/// Share of the trees in later rounds. Trees without a route by then are in a tight place, where
+/// only lattices get through.
 inline constexpr Turn late_trees{16, 1};
 
-/// Over a whole site a detour changes a small part of a route, and refining another one: each has
-/// rounds of its own, or one would lose what the other gained.
-inline constexpr std::int64_t far_cycle = 4;       // rounds
-inline constexpr std::int64_t far_detours = 4096;  // iterations of one round
+/// Rounds from one round of detours to the next, over a whole site. Detours and refining have
+/// different rounds, because each would lose what the other gained in the same round.
+inline constexpr std::int64_t far_cycle = 4;
+/// Iterations of the detours in each of their rounds.
+inline constexpr std::int64_t far_detours = 4096;
 
-/// Trials of a round by the measure of the whole drive.
+/// Trials in a round of "fastest", the worker that compares routes by the cost of the whole drive.
 inline constexpr std::int64_t fastest = 192;
 
 }  // namespace shares
 
-/// How often a share counts in a round: rounds grow with time, so that workers on several threads
+/// Factor of the shares in a round. Rounds grow with time, so that workers on several threads
 /// seldom wait for each other.
 constexpr std::int64_t growth(std::int64_t round) {
   return std::min<std::int64_t>(1 + round / 8, 16);
 }
-/// How often a growing share is due, in eighths, before a round, of those that have a route.
-/// Rounds are short at first, as what one worker found is to be known to the others soon.
+/// Sum of the growing factors of all rounds before `round`, in eighths; `round` counts rounds with
+/// a route. Rounds are short at first, so that workers soon hear of each other's routes.
 constexpr std::int64_t eighths_due(std::int64_t round) {
   constexpr std::int64_t growing = 126;
   const std::int64_t grown = std::min(round, growing);
   return grown * (grown + 3) / 2 + (round - grown) * (growing + 2);
 }
-/// A share of such a round, the first one with a route being 0: a trial takes longer, and the first
-/// ones bring most.
+/// Iterations of a worker in a round whose share grows; the first round with a route is 0. Trials
+/// are slow here and the first ones gain most, so rounds start short.
 constexpr std::int64_t growing_share(std::int64_t share, std::int64_t round) {
   return share * eighths_due(round + 1) / 8 - share * eighths_due(round) / 8;
 }

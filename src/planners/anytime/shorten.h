@@ -15,7 +15,7 @@ namespace vandplan::anytime {
 
 using namespace search;
 
-/// What of a route is looked at at a time.
+/// Part of a route that trials may change.
 enum class Scope {
   all,      ///< the whole route
   windows,  ///< some legs, then the next ones: a trial costs as much however long the route is
@@ -24,9 +24,9 @@ enum class Scope {
 /// Improves one route by random trials; a trial is kept only if it is free and cheaper.
 class Shortener {
  public:
-  /// `beside` is what is driven before the route and after it, if that is known: of a part of a
-  /// route. With a `measure` a route is cheaper when that says so; the prices of the connector are
-  /// a guide only, the scope is all, and the route comes with the cost that the measure gives it.
+  /// `beside`: what is driven before and after the route, if it is a part of another one. With a
+  /// `measure` routes are compared by it, and the prices of the connector are only a guide. The
+  /// scope is `all` then, and the cost of the route is that of the measure.
   Shortener(Connector& connector, Route route, std::uint64_t seed, Scope scope = Scope::all,
             std::function<double(const Route&)> measure = {}, std::optional<Gears> beside = {});
 
@@ -35,22 +35,23 @@ class Shortener {
 
   [[nodiscard]] Route route() const;
   [[nodiscard]] double cost() const { return is_whole() ? route_.cost : cost_; }
-  /// How many trials bring about as much as one on a short route.
+  /// Number of trials that bring about as much as one trial on a short route.
   [[nodiscard]] double trials_for_one() const;
   /// Whether many trials in a row brought next to nothing.
   [[nodiscard]] bool is_stalled() const;
 
  private:
-  // A place on the route: `s` metres into a leg.
+  /// Place on the route: `s` metres into a leg.
   struct Place {
     std::size_t leg;
     double s;
   };
 
-  // Legs of the route, the gears around them, and what they cost.
+  /// Legs [first, last) of the route, the gears around them, and the cost that a trial must
+  /// undercut.
   struct Stretch {
     std::size_t first;
-    std::size_t last;  // the one after them
+    std::size_t last;
     Gears gears;
     double cost;
   };
@@ -74,26 +75,27 @@ class Shortener {
   bool replace_by_way_of(const LocalPose& via, const Stretch& old, GearSign cusp);
   [[nodiscard]] bool stays_cheaper(LocalPose from, double gain);
   bool replace(const Stretch& old, std::span<const Leg> fresh);
-  /// Puts the trial in the place of the stretch.
+  /// Puts the trial in the place of a stretch of the route.
   void exchange(Route& route, const Stretch& old) const;
 
   Connector& connector_;
   std::function<double(const Route&)> measure_;
-  Route route_;      // or the window of it
-  LocalPose start_;  // of the whole route
-  Gears beside_;     // what is driven before and after it
-  // The legs before the window, and those after it, the last one first.
+  Route route_;      // the whole route, or the window
+  LocalPose start_;  // start of the whole route
+  Gears beside_;     // driven before and after the whole route
+  /// Legs before the window.
   std::vector<Leg> passed_;
+  /// Legs behind the window, in reverse order.
   std::vector<Leg> ahead_;
-  bool goes_back_ = false;  // from window to window
-  double cost_;             // of the whole route
-  double visit_cost_;       // of it when a trial in this window last brought something
-  int visit_ = 0;           // trials in this window,
-  int idle_visit_ = 0;      // and since one last brought something
+  bool goes_back_ = false;  // whether windows move from the goal to the start
+  double cost_;             // cost of the whole route
+  double visit_cost_;       // cost when a trial in this window last gained something
+  int visit_ = 0;           // trials in this window
+  int idle_visit_ = 0;      // trials in this window since the last gain
   Rng rng_;
-  std::vector<Leg> trial_;  // buffer
-  int idle_ = 0;            // trials since the last progress worth the name
-  double progress_cost_;    // what the route cost then
+  std::vector<Leg> trial_;  // legs of the trial
+  int idle_ = 0;            // trials since the last progress
+  double progress_cost_;    // cost of the route at the last progress
 };
 
 }  // namespace vandplan::anytime

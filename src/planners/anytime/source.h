@@ -15,23 +15,24 @@ class Source {
  public:
   virtual ~Source() = default;
 
-  /// A few microseconds of work. True when a route was found: `route`.
+  /// Works for a few microseconds. True when a route was found: `route`.
   [[nodiscard]] virtual bool step() = 0;
   /// The route of the last step that found one, with its cost.
   [[nodiscard]] virtual search::Route route() const = 0;
   /// Whether another step may find anything.
   [[nodiscard]] virtual bool has_work() const { return true; }
 
-  /// Routes that cost no less than `cost` are of no interest [m].
+  /// Ignores routes that do not cost less than `cost` from now on [m].
   virtual void set_cutoff(double /*cost*/) {}
-  /// The best route of all workers, which has changed.
+  /// Tells the source of the best route of all workers, which has changed.
   virtual void set_route(const search::Route& /*best*/) {}
-  /// A route that another worker gave up.
+  /// Tells the source of a route that another worker gave up.
   virtual void offer(const search::Route& /*route*/) {}
 
+  /// Calls of the steering function, and edge checks, so far.
   [[nodiscard]] virtual std::int64_t solves() const = 0;
   [[nodiscard]] virtual std::int64_t checks() const = 0;
-  /// Nodes of the search that is under way.
+  /// Nodes of the current search.
   [[nodiscard]] virtual std::size_t size() const { return 0; }
 };
 

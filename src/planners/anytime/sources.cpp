@@ -13,43 +13,46 @@
 namespace vandplan::anytime {
 namespace {
 
-// Each search is twice as fine as the one before it but one. The first ones are greedy: they find
-// a first route; the third looks for the best; the others find ways out of ever tighter slots.
+/// Searches of a ladder. Each is twice as fine as the second one before. The first two are greedy
+/// and find a first route; the third looks for the best route; the others find ways out of ever
+/// tighter slots.
 constexpr std::array<LatticeOptions, 8> searches = {
     LatticeOptions{12, 0.5, 2.0},    LatticeOptions{24, 0.25, 1.5},
     LatticeOptions{36, 0.17, 1.2},   LatticeOptions{48, 0.125, 2.0},
     LatticeOptions{96, 0.06, 2.0},   LatticeOptions{192, 0.03, 3.0},
     LatticeOptions{384, 0.015, 3.0}, LatticeOptions{768, 0.0075, 3.0}};
-constexpr std::size_t most_lattice_nodes = 300'000;  // of one search: some 30 MB
-constexpr double first_guide_side = 1.0;             // [vehicle widths]
-constexpr double fine_guide_side = 0.5;              // of all searches but the first
-constexpr double last_guide_side = 0.25;
-constexpr std::size_t last_coarse_level = 4;
-// Where the curvature is continuous, at most so many locks to either side: each is a cell more at
-// every pose.
+constexpr std::size_t most_lattice_nodes = 300'000;  // nodes of one search: some 30 MB
+constexpr double first_guide_side = 1.0;  // side of the first guide's cells [vehicle widths]
+constexpr double fine_guide_side = 0.5;   // side of cells after the first search [vehicle widths]
+constexpr double last_guide_side = 0.25;  // side of the finest guide's cells [vehicle widths]
+constexpr std::size_t last_coarse_level = 4;  // number of searches that count as coarse
+/// Most locks to either side where the curvature is continuous: each lock is one more cell at every
+/// pose.
 constexpr int coarse_locks = 2;
 constexpr int fine_locks = 3;
-// Over a whole site: a search that gets there at once, then others along a way that is the shortest
-// on the grid.
-constexpr double far_shot = 40.0;  // [turning radii]
+constexpr double far_shot = 40.0;  // cost-to-go beyond which exact paths are rare [turning radii]
+/// Search over a whole site, with its guide.
 struct FarSearch {
   LatticeOptions lattice;
   FarGuide::Options guide;
 };
+/// The first search over a whole site is greedy. The others follow a shortest way of the grid.
 constexpr std::array far_searches = {FarSearch{{12, 0.5, 2.0, false, far_shot}, {1.0, 1.25}},
                                      FarSearch{{12, 0.5, 2.0, false, far_shot}, {1.0, 1.0}},
                                      FarSearch{{24, 0.25, 1.5, false, far_shot}, {1.0, 1.0}}};
-constexpr double slack = 1.05;                 // what shortening may yet take off a route
-constexpr std::array far_shares = {1.0, 0.4};  // of the attempts with trees, in turns
-constexpr std::int64_t first_patience = 256;   // samples
+constexpr double slack = 1.05;  // a route may cost so many times the best: shortening helps
+constexpr std::array far_shares = {1.0, 0.4};  // shares of far samples, for attempts in turns
+constexpr std::int64_t first_patience = 256;   // samples of the first attempt
 
-// Of a first route: the wheels are turned less, and walls avoided, when it is shortened.
+// The rule without prices of steering and clearance, for a first route: shortening takes care of
+// them.
 CostRule gears_alone(CostRule rule) {
   rule.curvature_change_cost = 0.0;
   rule.clearance_weight = 0.0;
   return rule;
 }
 
+/// The rule in the direction of a search from `root`.
 CostRule rule_from(const CostRule& rule, Root root) {
   return root == Root::start ? rule : reversed(rule, 0);
 }
@@ -78,7 +81,7 @@ void Ladder::next_guide() {
   if (goes_far()) {
     guide_ = std::make_unique<FarGuide>(task_, scene_, far_searches[level_].guide, to_, from_);
   } else {
-    // A first route is found sooner by length.
+    // Without a price of clearance a first route is found sooner.
     const double weight = is_known() ? rule_.clearance_weight : 0.0;
     guide_ = std::make_unique<GridDistance>(task_, scene_, guide_side_, to_, from_,
                                             ClearancePrice{weight, rule_.clearance_distance});
@@ -87,7 +90,7 @@ void Ladder::next_guide() {
   guided_ = false;
 }
 
-// What is driven before and after a search.
+// Gears and curvatures before and after the route of a search, in its direction.
 Gears Ladder::gears_from(const CostRule& rule) const {
   Gears gears = gears_at_ends(task_, rule);
   if (root_ == Root::goal) std::swap(gears.before.curvature, gears.after.curvature);
@@ -121,7 +124,7 @@ bool Ladder::step() {
     // Coarse cells may close a narrow opening.
     guided_ = guide_->is_connected() || is_far_ || guide_side_ < last_guide_side;
     if (!guided_) next_guide();
-    // What a greedier guide led to is better than to go without one.
+    // A route of a greedier guide is better than a search without a guide.
     if (guided_ && is_far_ && is_known() && !guide_->is_connected()) finished_ = true;
     return false;
   }
@@ -142,11 +145,12 @@ bool Ladder::step() {
   if (strung_) return step_strung();
   lattice_->set_cutoff(slack * cutoff_);
   const bool found = !lattice_->is_exhausted() && lattice_->step();
-  is_done_ = found && is_far_;  // shortening finds what is beside it
+  is_done_ = found && is_far_;  // shortening finds the routes beside it
   return found;
 }
 
-// True when the way was driven to its end, and nothing better is known.
+// Goes on along the way of the guide. True when its end is reached and the route is not much dearer
+// than the best.
 bool Ladder::step_strung() {
   if (strung_->step()) return false;
   is_done_ = strung_->is_complete();
@@ -156,13 +160,15 @@ bool Ladder::step_strung() {
 
 bool Ladder::goes_far() const { return is_far_ && level_ < far_searches.size(); }
 
-// All searches but the first have a better one; over a whole site each has another.
+// Whether the next search has another guide: a finer one after the first search, or over a whole
+// site one with other options.
 bool Ladder::needs_next_guide() const {
   if (goes_far()) return far_searches[level_].guide != far_searches[guide_level_].guide;
   return level_ == 1 && guide_side_ > fine_guide_side / 2;
 }
 
-// Where coarse searches found nothing there are no other kinds to look for.
+// Whether different searches take turns. If only fine searches find a route, there are no other
+// kinds.
 bool Ladder::takes_turns() const {
   return !is_far_ && !rule_.is_length() && is_known() && (rotation_ || level_ <= last_coarse_level);
 }

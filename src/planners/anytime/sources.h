@@ -18,18 +18,18 @@
 
 namespace vandplan::anytime {
 
-/// Which end a systematic search begins at.
+/// End of the task at which a lattice search begins.
 enum class Root { start, goal };
 
-/// Lattice searches from coarse to fine, all from the same root. When driving has prices they go by
-/// length until a route is known; from then on searches of many kinds take turns, or the one goes
-/// on by price that a tight slot needed.
+/// Lattice searches from coarse to fine, all from the same root. With prices they go by length
+/// until a route is known. Afterwards different searches take turns (`Rotation`). If only a fine
+/// search found a route, because a slot is tight, that search is repeated by price instead.
 class Ladder final : public Source {
  public:
-  /// `Scope::windows`: over a whole site, of which only a strip is looked at.
+  /// `Scope::windows`: the task goes over a whole site, of which the search sees only a strip.
   Ladder(const Task& task, const CostRule& rule, Root root, Scope scope);
 
-  /// A few microseconds of work. True when a route was found: `route`.
+  /// Works for a few microseconds. True when a route was found: `route`.
   [[nodiscard]] bool step() override;
 
   void set_cutoff(double cost) override { cutoff_ = cost; }
@@ -56,28 +56,33 @@ class Ladder final : public Source {
   LocalPose from_;
   LocalPose to_;
   Root root_;
-  bool is_far_;                        // over a whole site
-  CostRule rule_;                      // of the route
-  Connector by_length_;                // of searches before a route is known
-  Connector by_price_;                 // of searches from then on, in their direction
-  std::optional<Connector> by_gears_;  // over a whole site, along a way
+  bool is_far_;    // whether the task goes over a whole site
+  CostRule rule_;  // prices of the route
+  /// Steers searches before a route is known.
+  Connector by_length_;
+  /// Steers searches once a route is known, in their direction.
+  Connector by_price_;
+  /// Steers along a way over a whole site.
+  std::optional<Connector> by_gears_;
   std::unique_ptr<Guide> guide_;
-  double guide_side_;    // of its cells [vehicle widths]
-  bool guided_ = false;  // the guide is complete
+  double guide_side_;    // side of the next guide's cells [vehicle widths]
+  bool guided_ = false;  // whether the guide is complete
   bool finished_ = false;
-  std::size_t level_ = 0;
-  std::size_t guide_level_ = 0;  // that the guide was made for
-  bool is_done_ = false;         // the search has found what it can
+  std::size_t level_ = 0;        // index of the next search
+  std::size_t guide_level_ = 0;  // value of `level_` when the guide was made
+  bool is_done_ = false;         // whether the current search has found what it can
   double cutoff_;
-  std::optional<Strung> strung_;  // along the way of the guide; else, or if that fails:
-  std::optional<Lattice> lattice_;
-  bool minds_prices_ = false;  // the searches that are under way
+  /// Drives along the way of the guide over a whole site; none if that failed.
+  std::optional<Strung> strung_;
+  std::optional<Lattice> lattice_;  // current search, where `strung_` is none
+  bool minds_prices_ = false;       // whether the current searches go by price
   std::optional<Rotation> rotation_;
 };
 
 /// Pairs of trees, one attempt after the other.
 class Attempts final : public Source {
  public:
+  /// Far samples are drawn in `region`. The task outlives the attempts.
   Attempts(const Task& task, const CostRule& rule, const Bounds& region, std::uint64_t seed);
 
   [[nodiscard]] bool step() override;
@@ -91,13 +96,13 @@ class Attempts final : public Source {
 
   const Task& task_;
   Bounds region_;
-  CostRule rule_;           // of the route
-  Connector forth_, back_;  // of the trees: by length, from the start and from the goal
+  CostRule rule_;           // prices of the route
+  Connector forth_, back_;  // steer the trees by length, from the start and from the goal
   std::uint64_t seed_;
   std::uint64_t attempt_ = 0;
   std::int64_t patience_;     // samples after which an attempt is given up
-  std::int64_t samples_ = 0;  // of this attempt
-  bool met_ = false;
+  std::int64_t samples_ = 0;  // samples of this attempt
+  bool met_ = false;          // whether the trees of this attempt have met
   std::optional<TwoTrees> trees_;
 };
 

@@ -14,9 +14,10 @@ namespace {
 
 using search::Connector, search::gear_of, search::Gears, search::Leg, search::Route;
 
-// Of what a stroke lacks: by how much later its gear may change, in the order of trial; and how
-// much less strokes have to lack then.
+/// Distances by which a gear may change later, in the order of trial, as shares of what the stroke
+/// lacks.
 constexpr double shares[] = {1.0, 2.0, 4.0, 8.0, 0.5};
+/// Least reduction of what all strokes lack, as a share of what the stroke lacks.
 constexpr double worth_it = 0.25;
 constexpr std::size_t legs_beside = 2;  // legs on either side that are steered anew at most
 constexpr std::size_t segments_of_short_leg = 3;
@@ -39,7 +40,7 @@ Piece piece_of(std::span<const Segment> segments) {
   return piece;
 }
 
-/// Each of its legs is driven in one gear.
+/// The route with legs that are driven in one gear each.
 Route cut_at_changes(const Route& route) {
   Route result{route.start, {}, 0.0};
   for (std::size_t i = 0; i < route.legs.size(); ++i) {
@@ -98,12 +99,12 @@ class Lengthener {
   Gears beside_;
   Route route_;
   double least_;
-  double wanted_ = 0.0;  // that strokes lack at most [m]
+  double wanted_ = 0.0;  // most that all strokes may lack after a change [m]
   std::optional<Route> best_;
 };
 
-// Keeps the route with other legs in place of [first, last) if it is free, lacks so much less as is
-// wanted, and is cheaper than what is kept.
+// Keeps the route with `legs` in the place of [first, last), if it is free, lacks at most
+// `wanted_`, and is cheaper than the kept route.
 void Lengthener::consider(std::size_t first, std::size_t last, const std::vector<Leg>& legs) {
   Route trial = route_;
   const auto at = trial.legs.begin() + static_cast<std::ptrdiff_t>(first);
@@ -120,7 +121,7 @@ void Lengthener::consider(std::size_t first, std::size_t last, const std::vector
   if (!best_ || trial.cost < best_->cost) best_ = std::move(trial);
 }
 
-// From before a stroke to behind it at once.
+// Tries to drive from before a stroke to behind it at once.
 void Lengthener::try_without(const LegStroke& stroke) {
   for (std::size_t before = 0; before <= std::min(legs_beside, stroke.first); ++before) {
     for (std::size_t after = 0; after <= legs_beside && stroke.last + after <= route_.legs.size();
@@ -135,8 +136,8 @@ void Lengthener::try_without(const LegStroke& stroke) {
   }
 }
 
-// The gear changes `by` metres later than before leg `cusp`, along the curvature on either side or
-// straight ahead; and back the same way, if both sides have one curvature.
+// Tries to change gear `by` metres later than before leg `cusp`, with the curvature of either side
+// or straight ahead. If both sides have this curvature, driving back the same way is tried, too.
 void Lengthener::try_later(std::size_t cusp, double by) {
   const Leg& before = route_.legs[cusp - 1];
   const Leg& after = route_.legs[cusp];
@@ -167,7 +168,8 @@ void Lengthener::try_later(std::size_t cusp, double by) {
   }
 }
 
-// What lengthens one stroke may shorten another; so often at most as there are ends of strokes.
+// Makes short strokes longer. A longer stroke may make another one shorter, so tries are limited to
+// the number of ends of strokes.
 Route Lengthener::lengthened() {
   bool changed = true;
   for (std::size_t tries = 2 * strokes_of(route_).size(); changed && tries > 0; --tries) {

@@ -13,13 +13,14 @@ namespace vandplan::anytime {
 namespace {
 
 constexpr LatticeOptions leg_search = {12, 0.5, 2.0};
-constexpr int most_expansions = 256;  // for one leg
-constexpr double least_apart = 4.0;   // of corners [turning radii]
-constexpr double leg_factor = 1.5;    // what a leg may cost, times the beeline,
-constexpr double leg_slack = 4.0;     // and more [turning radii]
-constexpr int most_left_out = 4;      // corners in a row that no leg gets to
+constexpr int most_expansions = 256;  // expansions for one leg
+constexpr double least_apart = 4.0;   // least distance of bends [turning radii]
+/// Most cost of a leg: a factor on the straight distance, and an addition [turning radii].
+constexpr double leg_factor = 1.5;
+constexpr double leg_slack = 4.0;
+constexpr int most_left_out = 4;  // corners left out in a row, at most
 
-/// About how many steps of the way come to a distance.
+/// Number of steps of the way that are about as long as a distance.
 std::size_t places_in(double distance, std::span<const Point> way) {
   double length = 0.0;
   for (std::size_t i = 1; i < way.size(); ++i) {
@@ -47,7 +48,7 @@ double Strung::heading_along(double direction) const {
   return gear_ > 0 ? direction : wrap_angle(direction + std::numbers::pi);
 }
 
-// Whether the vehicle drives straight on from one place to the other.
+// Whether the vehicle can drive straight from one place of the way to another.
 bool Strung::sees(std::size_t from, std::size_t to) {
   const Point& a = way_[from];
   const Point& b = way_[to];
@@ -56,7 +57,8 @@ bool Strung::sees(std::size_t from, std::size_t to) {
                             Segment{0.0, gear_ * distance});
 }
 
-// By steps that double, then by halving; the next place where nothing is seen.
+// Index of the farthest place in sight, found by doubling steps and then halving. At least
+// `least_places_` steps ahead.
 std::size_t Strung::farthest_seen(std::size_t from) {
   const std::size_t last = way_.size() - 1;
   std::size_t seen = from;
@@ -78,7 +80,7 @@ void Strung::pull() {
   if (bends_.back() + 1 == way_.size()) turn_corners();
 }
 
-// At a corner the vehicle points half to either side of it.
+// Makes poses at the bends. There the vehicle points halfway between both directions.
 void Strung::turn_corners() {
   for (std::size_t i = 1; i + 1 < bends_.size(); ++i) {
     const Point& corner = way_[bends_[i]];
@@ -107,13 +109,13 @@ Gears Strung::gears_of_leg() const {
   return fitted_gears(task_, gears);
 }
 
-// A leg that costs more turns around on its way.
+// Most that a leg may cost. A dearer leg would turn around on its way.
 double Strung::dearest_leg(const LocalPose& corner) const {
   const double apart = std::hypot(corner.x - here().x, corner.y - here().y);
   return leg_factor * apart + leg_slack * connector_.radius();
 }
 
-// Straight to the corner; where that is not free, a search finds out.
+// Drives straight to the next corner, or begins a search if that is blocked or too dear.
 void Strung::begin_leg() {
   const LocalPose& corner = corners_[next_];
   const Gears gears = gears_of_leg();
@@ -135,7 +137,8 @@ void Strung::reach_corner() {
   left_out_ = 0;
 }
 
-// False when corner after corner was not reached.
+// Goes on with the search for a leg. False if too many corners in a row, or the goal, were not
+// reached.
 bool Strung::search_leg() {
   if (lattice_->step()) {
     const std::vector<Leg>& legs = lattice_->route().legs;

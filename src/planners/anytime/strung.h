@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How is a way over a whole site driven? It is pulled straight, like a string around what stands
-// there, and driven exactly from corner to corner.
+// How is a way over a whole site driven?
+//
+// The way is pulled straight, like a string around obstacles. The vehicle drives exactly from
+// corner to corner.
 
 #include <cmath>
 #include <cstddef>
@@ -15,7 +17,7 @@
 
 namespace vandplan::anytime {
 
-/// As far as it is on open ground.
+/// Guide of straight distances to the target [m], as if there were no obstacles.
 class Beeline final : public Guide {
  public:
   explicit Beeline(const LocalPose& target) : target_(target) {}
@@ -29,18 +31,20 @@ class Beeline final : public Guide {
   LocalPose target_;
 };
 
-/// A route along a way of points from the task's start to its goal. Work goes with its length.
+/// Makes a route along a way of points from the task's start to its goal. Work grows with the
+/// length of the way.
 class Strung {
  public:
-  /// `way` has both ends, and its steps are about as long as each other.
+  /// `way` has both ends, and its steps are about equally long. Task and connector outlive the
+  /// object.
   Strung(const Task& task, std::vector<Point> way, Connector& connector);
 
-  /// Some microseconds of work. False when there is no more to do.
+  /// Works for some microseconds. False when nothing is left to do.
   [[nodiscard]] bool step();
 
   /// Whether the goal was reached.
   [[nodiscard]] bool is_complete() const { return !corners_.empty() && next_ == corners_.size(); }
-  /// From the start on, without a cost.
+  /// The route from the start as far as it is found. Its cost is not set.
   [[nodiscard]] const Route& route() const { return route_; }
 
  private:
@@ -58,16 +62,16 @@ class Strung {
 
   const Task& task_;
   Connector& connector_;
-  GearSign gear_;  // in which the way is driven where it is straight
+  GearSign gear_;  // gear for the straight parts of the way
   std::vector<Point> way_;
-  std::size_t least_places_;              // of the way from bend to bend
-  std::vector<std::size_t> bends_ = {0};  // places on the way that are in sight of each other
-  std::vector<LocalPose> corners_;        // the poses there, but for the start
-  std::size_t next_ = 0;                  // of the corners: where the leg leads to
-  int left_out_ = 0;                      // corners in a row
-  std::optional<Beeline> guide_;          // the corners of a leg are in sight of each other
-  std::optional<Lattice> lattice_;        // where the leg is not driven directly
-  int expansions_ = 0;
+  std::size_t least_places_;              // least number of steps of the way between two bends
+  std::vector<std::size_t> bends_ = {0};  // indices of the places of the way where the string bends
+  std::vector<LocalPose> corners_;        // poses at the bends, without the start
+  std::size_t next_ = 0;                  // index of the corner that the current leg leads to
+  int left_out_ = 0;                      // corners left out in a row
+  std::optional<Beeline> guide_;    // guide of the leg: a straight line, as its ends see each other
+  std::optional<Lattice> lattice_;  // search for the leg, if it is not driven directly
+  int expansions_ = 0;              // expansions of this search
   Route route_;
 };
 

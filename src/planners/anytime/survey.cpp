@@ -11,28 +11,33 @@
 namespace vandplan::anytime {
 namespace {
 
-// Coarse cells miss ways that fine ones find, and the other way round: which poses they keep is a
-// matter of luck. So no look is like the one before it.
+/// Headings and cells of looks, in turns. Coarse cells and fine cells find different ways, because
+/// it is luck which poses they keep. So looks differ.
 constexpr std::array<FieldOptions, 4> survey_looks = {
     {{16, 0.4}, {24, 0.25}, {18, 0.3}, {36, 0.25}}};
-constexpr FieldOptions survey_glance = {16, 0.4, 2.0};  // before the first look
-constexpr double shift = 0.618;                         // of the cells, each time around [cells]
-constexpr double excess = 1.1;                // of ways that are led through, over the cheapest one
-constexpr double worth_a_look = 1.2;          // of any, over the best route: they are crooked
-constexpr int most_routes = 6;                // of one look
-constexpr std::int64_t most_poses = 200'000;  // of one field
-constexpr std::int64_t most_poses_of_glance = 50'000;
-constexpr double most_cells = 1e6;  // of places and headings
-constexpr int poses_of_step = 32;
-constexpr int steps_of_preparing = 8;      // of its grid and its raster, in one of its own
-constexpr double survey_guide_side = 0.5;  // of a cell of the grid [vehicle widths]
-constexpr double border = 2.0;             // around the scene [turning radii]
-constexpr double room_of_step = 0.2;       // that the longest step asks for [turning radii]
-constexpr std::int64_t bin_headings = 8;
-// A word joins two branches; in place of how many steps of the one, and half as many of the other.
+/// Cells of the glance and weight of its guide.
+constexpr FieldOptions survey_glance = {16, 0.4, 2.0};
+constexpr double shift = 0.618;  // shift of the cells each time all looks were used [cells]
+constexpr double excess = 1.1;   // a way may cost so many times the cheapest way of a look
+/// A way may cost so many times the best route, because ways are crooked.
+constexpr double worth_a_look = 1.2;
+constexpr int most_routes = 6;                         // routes of one look
+constexpr std::int64_t most_poses = 200'000;           // poses expanded by the field from the goal
+constexpr std::int64_t most_poses_of_glance = 50'000;  // poses expanded by a glance
+constexpr double most_cells = 1e6;                     // cells of places and headings in one field
+constexpr int poses_of_step = 32;                      // poses expanded in one step
+constexpr int steps_of_preparing = 8;                  // steps of grid and raster in one step
+constexpr double survey_guide_side = 0.5;  // side of a cell of the guide's grid [vehicle widths]
+constexpr double border = 2.0;             // border around the scene [turning radii]
+constexpr double room_of_step = 0.2;       // room that the longest step needs [turning radii]
+constexpr std::int64_t bin_headings = 8;   // bins of the heading
+/// A word that joins two branches replaces so many steps of one branch, and half as many of the
+/// other.
 constexpr std::array<std::size_t, 7> steps_replaced = {1, 2, 3, 4, 6, 8, 12};
-constexpr double joint_slack = 1.3;  // what it may cost, over those steps,
-constexpr double least_joint = 0.5;  // and beside that [turning radii]
+/// Most cost of the joining word: a factor on the cost of the replaced steps, and an addition
+/// [turning radii].
+constexpr double joint_slack = 1.3;
+constexpr double least_joint = 0.5;
 
 Bounds box_around(const Task& task) {
   const Bounds scene = sampling_region(task, Region::scene);
@@ -51,7 +56,7 @@ Driven driven_of(const Connector& connector, const DriveField::Node& node) {
 Survey::Survey(const Task& task, const CostRule& rule)
     : task_(task), forth_(task, rule), back_(task, reversed(rule, 0)), box_(box_around(task)) {}
 
-// True when that is done.
+// Prepares the guide and the room. True when both are complete.
 bool Survey::prepare() {
   if (!guide_) {
     const CostRule& rule = forth_.rule();
@@ -86,8 +91,8 @@ void Survey::look_back() {
   routes_ = 0;
 }
 
-// The first way that comes to the start tells what ways cost with such cells. True when it becomes
-// a route.
+// Looks whether a pose of the field from the goal is at the start. The first such way tells what
+// ways cost with these cells. True when it becomes a route.
 bool Survey::meet(std::int32_t id) {
   const DriveField::Node& node = from_goal_->node(id);
   const double side = options_.cell * forth_.radius();
@@ -106,7 +111,7 @@ bool Survey::meet(std::int32_t id) {
   return kinds_.is_new(route_, forth_.radius());
 }
 
-// True when there is a route.
+// Expands poses of the field from the goal. True when there is a route.
 bool Survey::go_back() {
   for (int i = 0; i < poses_of_step && !from_goal_->is_exhausted(); ++i) {
     const std::int32_t id = from_goal_->step();
@@ -137,7 +142,7 @@ void Survey::go_forth() {
   covered_.assign(static_cast<std::size_t>(columns_ * rows_ * bin_headings * 2), false);
 }
 
-// True when there is a route.
+// Expands poses of the field from the start. True when there is a route.
 bool Survey::go_on() {
   for (int i = 0; i < poses_of_step && !from_start_->is_exhausted(); ++i) {
     const std::int32_t id = from_start_->step();
@@ -189,7 +194,8 @@ Survey::Branch Survey::branch(const DriveField& field, const LocalPose& root, st
   return result;
 }
 
-// A route by way of a node of the field from the start, unless one of its kind is known.
+// Makes a route by way of a node of the field from the start. False if it is blocked or of a known
+// kind.
 bool Survey::lead_through(std::int32_t node) {
   const std::int32_t onward = from_goal_->onward(*from_start_, from_start_->node(node)).node;
   if (onward == DriveField::none) return false;
@@ -219,8 +225,8 @@ Gears Survey::gears_around(const Branch& head, std::size_t heads, const Branch& 
   return gears;
 }
 
-// The last steps of both branches end in the same cell, and not at the same pose: a word replaces
-// some of them.
+// Joins two branches that end in one cell, but not at one pose: a word replaces some steps of both.
+// False if no such route is free.
 bool Survey::join(const Branch& head, const Branch& tail) {
   const auto cost_of_last = [](const Branch& branch, std::size_t steps) {
     if (steps == 0) return 0.0;
@@ -264,7 +270,7 @@ void Survey::put_together(const Branch& head, std::size_t heads, const Piece& jo
   route_.legs.insert(route_.legs.end(), rest.begin(), rest.end());
 }
 
-// The fields take the room for granted where there is much of it.
+// Checks the whole route, because fields skip exact checks where there is much room.
 bool Survey::is_free() const {
   return task_.checker->is_free(task_.start, path_of(route_).segments);
 }

@@ -23,33 +23,33 @@ namespace vandplan::anytime {
 
 using namespace search;
 
-/// Looks everywhere: what driving costs from the goal back to each place, and from the start to it.
-/// Where both add up to little more than what the cheapest way costs, a way leads through; those of
-/// different kinds become routes of arcs and lines. Cells are coarse at first. The very first way
-/// that is found in a hurry becomes a route at once.
+/// Searches everywhere for routes of other kinds. Two fields hold the cost of driving from each
+/// pose to the goal, and from the start to each pose. Where both add up to little more than the
+/// least cost, a way leads through. Ways of different kinds become routes of arcs and lines. A
+/// hasty first pass, the glance, ends with its first route.
 class Survey final : public Source {
  public:
   /// The task and the rule outlive the survey.
   Survey(const Task& task, const CostRule& rule);
 
-  /// A few ten microseconds of work. True when there is a route: `route`.
+  /// Works for some ten microseconds. True when a route was found: `route`.
   [[nodiscard]] bool step() override;
   [[nodiscard]] Route route() const override { return route_; }
-  /// What the best route costs: ways that cost much more are of no interest. To be said first.
+  /// Sets the cost of the best route; much dearer ways are ignored. Must be called before `step`.
   void set_cutoff(double cost) override { cutoff_ = cost; }
-  /// It looks for the first way alone yet,
+  /// Whether the survey is in its glance.
   [[nodiscard]] bool is_glance() const { return looks_ == 0; }
-  /// or for the first time around: the coarsest look.
+  /// Whether the survey is in its first look, which has the coarsest cells.
   [[nodiscard]] bool is_first_look() const { return looks_ == 1; }
 
   [[nodiscard]] std::int64_t solves() const override { return forth_.solves() + back_.solves(); }
   [[nodiscard]] std::int64_t checks() const override { return forth_.checks() + back_.checks(); }
 
  private:
-  /// The steps from a root to a node of its field.
+  /// Steps of a field from its root to one of its nodes.
   struct Branch {
     std::vector<DriveField::Node> nodes;
-    std::vector<LocalPose> poses;  // exact: of the root, and after each step
+    std::vector<LocalPose> poses;  // exact poses: the root, and after each step
   };
 
   [[nodiscard]] bool prepare();
@@ -71,23 +71,23 @@ class Survey final : public Source {
   void end();
 
   const Task& task_;
-  Connector forth_, back_;  // of ways from the start, and of ways driven from the goal backwards
+  Connector forth_, back_;  // steer from the start, and from the goal backwards
   Bounds box_;
   double cutoff_ = std::numeric_limits<double>::infinity();
   std::unique_ptr<GridDistance> guide_;
   std::unique_ptr<Room> room_;
   bool is_prepared_ = false;
-  std::size_t looks_ = 0;  // around, so far
-  double most_ = 0.0;      // that ways cost in this one [m]
-  FieldOptions options_;   // of this one,
-  Bounds cells_ = {};      // and where its cells are
+  std::size_t looks_ = 0;  // passes so far, the glance included
+  double most_ = 0.0;      // largest cost of a way in this pass [m]
+  FieldOptions options_;   // cells of this pass
+  Bounds cells_ = {};      // area that the cells cover, shifted in later looks
   std::unique_ptr<DriveField> from_goal_, from_start_;
-  bool has_met_ = false;  // the field from the goal has come to the start
-  std::int64_t poses_ = 0;
-  int routes_ = 0;             // of this look
-  std::vector<bool> covered_;  // where routes of this look lead through
-  double bin_ = 1.0;           // side of a part of that [m]
-  std::int64_t columns_ = 0, rows_ = 0;
+  bool has_met_ = false;                 // whether the field from the goal has reached the start
+  std::int64_t poses_ = 0;               // poses expanded by the field from the goal
+  int routes_ = 0;                       // routes found in this look
+  std::vector<bool> covered_;            // bins that routes of this look lead through
+  double bin_ = 1.0;                     // side of a bin [m]
+  std::int64_t columns_ = 0, rows_ = 0;  // bins along x and y
   Kinds kinds_;
   Route route_;
 };

@@ -14,8 +14,9 @@ namespace {
 
 constexpr std::size_t ranked = 8;  // nodes whose exact length is looked at for one sample
 constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr int connect_tries = 3;         // of them, the edges that are tried
-constexpr double least_extension = 0.1;  // of an edge that is cut short [turning radii]
+constexpr int connect_tries = 3;  // ranked nodes from which an edge is tried
+/// Least length of an edge that is cut short [turning radii].
+constexpr double least_extension = 0.1;
 
 }  // namespace
 
@@ -31,8 +32,8 @@ TwoTrees::TwoTrees(const Task& task, const Bounds& region, Connector& forth, Con
   nearest_.reserve(ranked + 1);
 }
 
-// Half of them from the region, half from around the middle between the roots, at several scales:
-// most ways around are as far away as the roots are from each other.
+// A far sample: half of them from the region, half around the middle between the roots, at several
+// scales. Most ways around obstacles are as far away as the roots are from each other.
 LocalPose TwoTrees::sample_far() {
   if (uniform01(rng_) < 0.5) return uniform_pose(region_, rng_);
   const LocalPose& a = sides_[0].tree.pose(0);
@@ -43,7 +44,7 @@ LocalPose TwoTrees::sample_far() {
   return Local(Pose{(a.x + b.x) / 2 + pose.x, (a.y + b.y) / 2 + pose.y, pose.heading});
 }
 
-// Around one of the two roots, at every scale: narrow places are there.
+// A near sample: around one of the two roots, at several scales, because narrow places are there.
 LocalPose TwoTrees::sample_near() {
   const std::size_t side = uniform01(rng_) < 0.5 ? 0 : 1;
   const LocalPose& root = sides_[side].tree.pose(0);
@@ -52,7 +53,8 @@ LocalPose TwoTrees::sample_near() {
   return Local(Pose{root.x + pose.x, root.y + pose.y, pose.heading});
 }
 
-// The nodes that are nearest by a rough measure, in order of their exact length.
+// Fills `nearest_` with the edges from the nodes that are nearest by a rough measure, the shortest
+// edge first.
 void TwoTrees::rank(Side& side, const LocalPose& target) {
   const Tree& tree = side.tree;
   struct Candidate {
@@ -92,7 +94,8 @@ NodeId TwoTrees::add(Side& side, NodeId parent, const Piece& piece, const LocalP
   return side.tree.add(end, parent, side.tree.cost_to_come(parent) + piece.length);
 }
 
-// Drives from the nearest node towards the target as far as it is free; -1 when that is nowhere.
+// Drives from the nearest node towards the target as far as that is free. The new node; -1 if the
+// edge is too short.
 NodeId TwoTrees::extend(Side& side, const LocalPose& target) {
   rank(side, target);
   if (nearest_.empty()) return -1;
@@ -139,7 +142,7 @@ void TwoTrees::join(NodeId from_start, NodeId from_goal, const Piece& bridge) {
   route_.cost = cost_of(rule_, route_);
 }
 
-// The edge to the target from one of the two nodes that are nearest by Euclid, if it is free.
+// The edge to the target from one of the two nearest nodes by Euclidean distance, if it is free.
 std::optional<TwoTrees::Edge> TwoTrees::reach(Side& side, const LocalPose& target) {
   const Tree& tree = side.tree;
   std::array<NodeId, 2> ids{-1, -1};
@@ -180,7 +183,8 @@ bool TwoTrees::step_far() {
   return from_start && from_goal;
 }
 
-// A sample that is driven to as far as that is free.
+// Drives one tree towards a near sample as far as that is free, then the other tree towards its new
+// node.
 bool TwoTrees::step_near() {
   const std::size_t side = turn_;
   turn_ = 1 - turn_;
@@ -189,7 +193,7 @@ bool TwoTrees::step_near() {
   if (node < 0) return false;
   if (connect(side, node)) return true;
   if (nearest_.empty()) return false;
-  // The edge of the other tree that came nearest: drive it as far as it is free.
+  // The other tree keeps the free part of its shortest edge.
   Side& other = sides_[1 - side];
   const auto [from, piece] = nearest_.front();
   const LocalPose& pose = other.tree.pose(from);

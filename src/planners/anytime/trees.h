@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How is a first path found? Two trees, one from the start and one from the goal, grow until they
-// meet (RRT-Connect, Kuffner and LaValle 2000).
+// How is a first path found?
+//
+// Two trees, one from the start and one from the goal, grow until they meet (RRT-Connect, Kuffner
+// and LaValle 2000).
 
 #include <array>
 #include <optional>
@@ -19,13 +21,13 @@ using namespace search;
 /// The trees of one attempt.
 class TwoTrees {
  public:
-  /// `forth` steers from the start, `back` from the goal, by the reversed rule. `region` is where
-  /// far samples are drawn, `far_share` how many there are, 0 to 1: they find the way around
-  /// obstacles, the others the way out of a slot.
+  /// `forth` steers from the start, `back` from the goal by the reversed rule. Far samples are
+  /// drawn in `region` or around the middle of both ends and find ways around obstacles. Near
+  /// samples find the way out of a slot. `far_share`: share of far samples, 0 to 1.
   TwoTrees(const Task& task, const Bounds& region, Connector& forth, Connector& back,
            double far_share, std::uint64_t seed);
 
-  /// One sample. True when the trees have met: `route` is then the path.
+  /// Adds one sample. True when the trees have met: `route`.
   [[nodiscard]] bool step();
 
   [[nodiscard]] Route route() const { return route_; }
@@ -35,11 +37,14 @@ class TwoTrees {
   }
 
  private:
+  /// One of the two trees.
   struct Side {
     Tree tree;
-    std::vector<Piece> pieces;  // from the parent, driven in the side's own direction
-    Connector& connector;       // of that direction
+    /// Piece from each node's parent, driven in the direction of this side.
+    std::vector<Piece> pieces;
+    Connector& connector;  // steers in the direction of this side
   };
+  /// Piece from a node of a tree.
   struct Edge {
     NodeId from;
     Piece piece;
@@ -62,8 +67,8 @@ class TwoTrees {
   double far_share_;
   Rng rng_;
   std::array<Side, 2> sides_;
-  std::size_t turn_ = 0;
-  std::vector<Edge> nearest_;  // buffer of `rank`, nearest first
+  std::size_t turn_ = 0;       // index of the side that drives towards the next near sample
+  std::vector<Edge> nearest_;  // buffer of `rank`: edges to the nearest nodes, the shortest first
   Route route_;
 };
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What does the anytime planner do side by side? Each worker does one line of work. What a worker
-// finds depends on its seed and on what it is told, on nothing else.
+// What is a worker of the anytime planner?
+//
+// A worker uses one method, side by side with others. What it finds depends only on its seed and on
+// what it is told.
 
 #include <cstdint>
 #include <optional>
@@ -17,48 +19,58 @@ namespace vandplan::anytime {
 
 /// What a worker found in one round.
 struct Found {
+  /// Iterations done in the round.
   std::int64_t iterations = 0;
-  /// Costs below all that the worker knew of. Iterations count from the beginning of the round.
+  /// Improvements of the best cost that the worker knows. Iterations count from the begin of the
+  /// round.
   std::vector<CostSample> improvements;
   std::optional<search::Route> route;   ///< route of the last improvement
   std::optional<Drive> drive;           ///< drive of the last improvement
-  std::vector<search::Route> given_up;  ///< routes of which another worker may make more
+  std::vector<search::Route> given_up;  ///< routes that other workers may make more of
 };
 
 /// What a worker is told at the beginning of a round.
 struct Told {
   const search::Route* best = nullptr;  ///< best route of all workers; null while there is none
-  double enough = 0.0;                  ///< a route that costs no more ends the round [m]
+  double enough = 0.0;  ///< a route of at most this cost ends the worker's round [m]
 };
 
 /// What a worker has proven.
 struct Proven {
-  double shortest = 0.0;       ///< no path is shorter, even one that ends beside the goal [m]
-  double shortest_turn = 0.0;  ///< no path is shorter that ends just at the goal [m]
-  bool is_walled_in = false;   ///< there is no path
+  /// Lower bound of the length of paths with exact ends, around obstacles [m]. Ends that are off
+  /// make a path shorter by no more than they are off.
+  double shortest = 0.0;
+  /// Lower bound of the length of paths with exact ends, with headings [m]. Ends that are off may
+  /// make a path shorter by `OpenGround::leeway`.
+  double shortest_turn = 0.0;
+  /// Whether it is proven that there is no path.
+  bool is_walled_in = false;
 };
 
-/// Work so far.
+/// Counters of the work so far.
 struct Counts {
-  std::int64_t solves = 0;  ///< exact steerings
+  std::int64_t solves = 0;  ///< calls of the steering function
   std::int64_t checks = 0;  ///< edge checks
-  std::int64_t nodes = 0;   ///< nodes of the search that is under way
+  std::int64_t nodes = 0;   ///< nodes of the current search
 };
 
+/// One method of the anytime planner.
 class Worker {
  public:
   virtual ~Worker() = default;
 
-  /// Whether another iteration may bring anything.
+  /// Whether another iteration may find anything.
   [[nodiscard]] virtual bool has_work() const = 0;
-  /// At most `iterations` of work; less if the budget is interrupted or nothing is left to do.
+  /// Works for at most `iterations`; fewer if the budget is interrupted or nothing is left to do.
   [[nodiscard]] virtual Found work(std::int64_t iterations, const Told& told,
                                    const search::Budget& budget) = 0;
-  /// A route that another worker gave up.
+  /// Tells the worker of a route that another worker gave up.
   virtual void offer(const search::Route& /*route*/) {}
 
-  /// Proves more, in at most so many steps, which are no iterations. Number of steps made.
+  /// Works on a proof, in at most `steps` steps, which are no iterations. Gives back the number of
+  /// steps.
   virtual std::int64_t prove(std::int64_t /*steps*/, const search::Budget& /*budget*/) { return 0; }
+  /// What is proven so far.
   [[nodiscard]] virtual Proven proven() const { return {}; }
 
   [[nodiscard]] virtual Counts counts() const = 0;
@@ -67,8 +79,9 @@ class Worker {
 /// Steps of work between two looks at the clock.
 inline constexpr std::int64_t steps_of_look = 4;
 
-/// One round of a worker: calls `step` as often as it may. `has_work` says whether another step may
-/// bring anything; `step` returns the best cost that the worker knows of, if it fell.
+/// One round of a worker: calls `step` up to `iterations` times, until a cost is at most `enough`.
+/// `has_work` says whether another step may find anything. `step` gives back the best cost that the
+/// worker knows, if that fell.
 template <class HasWork, class Step>
 [[nodiscard]] Found work_in_steps(std::int64_t iterations, double enough,
                                   const search::Budget& budget, HasWork has_work, Step step) {

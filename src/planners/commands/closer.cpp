@@ -11,12 +11,12 @@
 namespace vandplan::commands {
 namespace {
 
-constexpr int most_iterations = 15;
-constexpr double close_enough = 1e-10;  // [m, rad]
-constexpr int iterations_to_get_near = 6;
-constexpr double near_enough = 0.2;  // then, in units of length
-constexpr double most_turn = 4.0;    // of a segment whose mean place is known [rad]
-constexpr double difference = 1e-7;  // for derivatives [rad]
+constexpr int most_iterations = 15;        // steps of Newton's method
+constexpr double close_enough = 1e-10;     // largest error of the end [m, rad]
+constexpr int iterations_to_get_near = 6;  // steps until the end should be near
+constexpr double near_enough = 0.2;        // largest error after these steps [units of length]
+constexpr double most_turn = 4.0;    // largest turn for the formula of a segment's mean place [rad]
+constexpr double difference = 1e-7;  // step of numerical derivatives [rad]
 
 /// A vector turned by a quarter to the left: how a point moves when all turns about the origin.
 Point turned(double x, double y) { return {-y, x}; }
@@ -26,7 +26,7 @@ std::array<double, 4> sum(const std::array<double, 4>& a, double factor,
   return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2], a[3] + factor * b[3]};
 }
 
-/// So that the wheels get there.
+/// Makes a command long enough for the wheels to reach its curvature.
 void lengthen(const Wheels& wheels, const search::Driven& before, Segment& command) {
   const bool rolls_on = command.length == 0.0 && before.gear != 0;
   const search::GearSign gear = rolls_on ? before.gear : search::gear_of(command);
@@ -104,8 +104,9 @@ Closer::Vector Closer::gap(const RigState& to) const {
           to.hitch_angle - hitch_angle};
 }
 
-/// [1] The end turns with a segment about each of its points; the hitch angle goes its own way.
-/// `passed_on` is what becomes of a change of it after the segment, and then before it.
+/// [1] Derivatives of the end by one segment. A bent segment turns all behind it about each of its
+/// points; the hitch angle follows its own formula. `passed_on`: derivative of the last hitch angle
+/// by the one behind the segment, and afterwards by the one before it.
 Closer::Change Closer::change(const Place& first, const Segment& segment, const Place& last,
                               double& passed_on) const {
   const auto& [curvature, length, rate] = segment;
@@ -113,8 +114,8 @@ Closer::Change Closer::change(const Place& first, const Segment& segment, const 
   const double angle = first.hitch_angle;
   const Pose& end = places_.back().pose;
   const Point swing = turned(end.x - last_pose.x, end.y - last_pose.y);
-  // The mean of the places is that of the cubic with the same ends and directions, bulged a little
-  // more where the segment turns far.
+  // The mean place of a segment is that of the cubic with the same ends and directions, with more
+  // bulge where the segment turns far.
   const double mean_curvature = curvature + rate * std::abs(length) / 2;
   const double half = std::min(std::abs(mean_curvature * length), most_turn) / 2;
   const double bulge = length * (1 + half * half * (1.0 / 15 + half * half * (2.0 / 315))) / 12;
@@ -133,12 +134,13 @@ Closer::Change Closer::change(const Place& first, const Segment& segment, const 
   return result;
 }
 
-/// [2] A command bends the arc on which the wheels stay, and the clothoid on which they leave it.
-/// If they do not get there, its length decides how far they get.
+/// [2] Derivatives of the end by each command. The curvature bends the arc of the command and the
+/// clothoid of the next one. If the wheels do not reach the curvature, the length decides how far
+/// they get.
 void Closer::differentiate(std::span<const Segment> commands, const WheelEnds& ends) {
   columns_.assign(commands.size(), {});
-  double passed_on = 1.0;  // of a change of the hitch angle after the command
-  Vector by_wheels = {};   // how the end changes with the curvature after the command
+  double passed_on = 1.0;  // derivative of the last hitch angle by the one behind the command
+  Vector by_wheels = {};   // derivative of the end by the curvature behind the command
   for (std::size_t i = commands.size(); i-- > 0;) {
     const Obeyed& obeyed = obeyed_[i];
     Column& column = columns_[i];
@@ -148,13 +150,14 @@ void Closer::differentiate(std::span<const Segment> commands, const WheelEnds& e
     column.length = at_end.stretch;
     if (is_gone) continue;
     const bool is_turning = last.curvature_rate != 0.0;
-    const double turning = search::gear_of(last) * last.curvature_rate;  // with the length
+    // Change of the curvature with the length.
+    const double turning = search::gear_of(last) * last.curvature_rate;
     if (!is_turning) column.curvature = sum(at_end.bend, 1.0, by_wheels);
     if (is_turning && obeyed.reaches_command) column.curvature = by_wheels;
     if (is_turning && !obeyed.reaches_command) {
       column.length = sum(column.length, turning, by_wheels);
     }
-    const bool is_arc = !is_turning && obeyed.count == 1;  // the wheels stay as they are
+    const bool is_arc = !is_turning && obeyed.count == 1;  // no wheels turn
     if (obeyed.turns_at_once || is_arc) {
       by_wheels = {};
     } else if (!is_turning) {
@@ -172,8 +175,8 @@ void Closer::differentiate(std::span<const Segment> commands, const WheelEnds& e
   }
 }
 
-/// [3] Least squares of the changes: multipliers of the conditions, by Cholesky's method without
-/// roots.
+/// [3] Multipliers of the conditions for least squares of the changes, by Cholesky's method without
+/// roots. False if the conditions depend on each other.
 bool Closer::solve(const Vector& gap, Vector& multipliers) const {
   std::array<Vector, 4> m{};
   const auto add = [&](const Vector& column, double unit) {
@@ -206,7 +209,8 @@ bool Closer::solve(const Vector& gap, Vector& multipliers) const {
   return true;
 }
 
-/// [4] Changes all commands at once; what would leave its limits is held there.
+/// [4] Changes all commands at once. A curvature or length that would leave its limits is held
+/// there.
 bool Closer::step(std::span<Segment> commands, const Vector& gap) {
   const auto dot = [](const Vector& a, const Vector& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
@@ -230,7 +234,7 @@ bool Closer::step(std::span<Segment> commands, const Vector& gap) {
     }
     if (is_final) break;
   }
-  double most = 1.0;  // steps are cut to a few units
+  double most = 1.0;  // divisor that limits steps to a few units
   for (const Column& column : columns_) {
     if (!column.curvature_is_fixed) {
       most = std::max(most, std::abs(dot(column.curvature, multipliers)) * curvature_unit_ / 2);
@@ -267,13 +271,13 @@ bool Closer::is_held() const {
   return std::abs(places_.front().hitch_angle) <= vehicle_.max_hitch_angle;
 }
 
-/// In reverse rounding grows by a factor of e in each length of the trailer, but not where the rig
-/// is exactly straight from the start on.
+/// Whether rounding errors of the hitch angle stay small. In reverse they grow by a factor of e in
+/// each length of the trailer, except where the rig is exactly straight from the start on.
 bool Closer::is_steady() const {
   if (!vehicle_.trailer) return true;
   constexpr double most_growth = 1e4;
-  constexpr double tick = 1e-6;  // for derivatives [rad]
-  double growth = 1.0;           // the most that becomes of a change anywhere before
+  constexpr double tick = 1e-6;  // step of numerical derivatives [rad]
+  double growth = 1.0;           // largest factor on a change made anywhere before
   bool is_straight = true;
   const auto grow = [&](double angle, const Segment& segment) {
     is_straight &= angle == 0.0 && segment.curvature == 0.0 && segment.curvature_rate == 0.0;

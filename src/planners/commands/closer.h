@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How is a drive bent so that it ends exactly where it should?
+// How does a drive end exactly where it should?
 //
 // Method: docs/algorithms/trailers.md.
 
@@ -16,21 +16,21 @@
 
 namespace vandplan::commands {
 
-/// Changes curvatures and lengths of commands, as little as possible, until they lead from one
-/// state to another. One for each thread: it holds its buffers.
+/// Changes curvatures and lengths of commands as little as possible, until they lead from one state
+/// to another. Each thread needs its own closer, which holds buffers.
 class Closer {
  public:
-  /// The vehicle outlives the closer. Without a trailer hitch angles do not count.
+  /// The vehicle outlives the closer. Without a trailer hitch angles are ignored.
   explicit Closer(const Vehicle& vehicle, Steering steering = Steering::reeds_shepp);
 
-  /// Whether the commands now lead from `from` to `to` within 1e-10 m and rad, with every curvature
-  /// and hitch angle in its limit, every gear as it was, the wheels as they should be at the ends,
-  /// and no rounding of a hitch angle growing on the way by more than 10^4; else they are of no
-  /// use. A command may be left without length.
+  /// Changes the commands until they lead from `from` to `to` within 1e-10 m and rad. True if that
+  /// succeeded: curvatures and hitch angles are within their limits, gears are as before, the
+  /// wheels are as `ends` says, and no rounding error of a hitch angle grows by more than 10^4 on
+  /// the way. If false, the commands are of no use. A command may end up without length.
   [[nodiscard]] bool close(const RigState& from, std::span<Segment> commands, const RigState& to,
                            const WheelEnds& ends = {});
 
-  /// Before command `i` of those that were closed last.
+  /// State before command `i` of the commands that were closed last.
   [[nodiscard]] RigState state_before(std::size_t i) const {
     return {places_[i].pose, places_[i].hitch_angle};
   }
@@ -38,19 +38,19 @@ class Closer {
  private:
   using Vector = std::array<double, 4>;
 
-  /// How the end changes with the curvature and with the length of one command.
+  /// Derivatives of the end by the curvature and by the length of one command.
   struct Column {
     Vector curvature = {}, length = {};
     bool curvature_is_fixed = false, length_is_fixed = false;
-    bool is_shortest = false;  // all of the length is needed to turn the wheels
+    bool is_shortest = false;  // whether the wheels need the whole length to turn
   };
-  /// Where the axle is and where it heads.
+  /// Pose of the rear axle, sine and cosine of its heading, and hitch angle.
   struct Place {
     Pose pose;
-    double sin, cos;  // of the heading
+    double sin, cos;
     double hitch_angle;
   };
-  /// How the end changes when a segment is bent or goes on at its end.
+  /// Derivatives of the end by the curvature and by the length of one segment.
   struct Change {
     Vector bend, stretch;
   };
@@ -69,19 +69,20 @@ class Closer {
   const Vehicle& vehicle_;
   Wheels wheels_;
   double most_curvature_;
-  double curvature_unit_, length_unit_;  // changes of these sizes count alike
-  std::size_t conditions_;               // on the end: its pose, and the hitch angle
-  std::vector<Place> places_;            // before each command, and at the end
-  std::vector<Obeyed> obeyed_;           // at each command
-  std::vector<Place> between_;           // its segments
-  std::vector<Column> columns_;
+  double curvature_unit_, length_unit_;  // changes of these sizes count alike [1/m], [m]
+  /// Number of conditions on the end: 3 for the pose, 1 for the hitch angle.
+  std::size_t conditions_;
+  std::vector<Place> places_;    // places before each command, and at the end
+  std::vector<Obeyed> obeyed_;   // segments of each command
+  std::vector<Place> between_;   // place before the last segment of each command
+  std::vector<Column> columns_;  // derivatives by each command
 };
 
-/// Commands of a free drive of the task, near those given; nothing if none are found.
+/// Commands of a free drive of the task, near those given; none if none are found.
 [[nodiscard]] std::optional<std::vector<Segment>> obeyed(const Task& task,
                                                          std::vector<Segment> commands);
 
-/// Commands of a free drive of the task along the segments; nothing if none are found.
+/// Commands of a free drive of the task along the segments; none if none are found.
 [[nodiscard]] std::optional<std::vector<Segment>> commands_along(const Task& task,
                                                                  std::span<const Segment> segments);
 

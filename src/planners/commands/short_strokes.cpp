@@ -8,9 +8,9 @@
 namespace vandplan::commands {
 namespace {
 
-constexpr double price = 1e3;  // of a metre that strokes are too short [m or s]
+constexpr double price = 1e3;  // price of a metre that strokes are too short [m or s]
 
-/// By how much the strokes are shorter than `least`, in all [m].
+/// Sum of the lengths by which strokes are shorter than `least` [m]; 0 without a gear change.
 double missing(std::span<const Segment> segments, double least) {
   double sum = 0.0;
   double stroke = 0.0;

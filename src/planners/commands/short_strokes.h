@@ -9,7 +9,8 @@
 
 namespace vandplan::commands {
 
-/// What strokes shorter than `least` add to the cost of a drive [m or s]: more than any detour.
+/// Addition to the cost of a drive for strokes shorter than `least` [m]: more than any detour costs
+/// [m or s].
 [[nodiscard]] double price_of_lack(std::span<const Segment> segments, double least);
 
 }  // namespace vandplan::commands

@@ -10,14 +10,15 @@
 namespace vandplan::commands {
 namespace {
 
-constexpr double progress = 1e-3;  // relative, that is worth the name
-constexpr int patience = 600;      // trials without it
-constexpr std::size_t most_segments_of_window = 10;
-constexpr std::size_t reach = 3;      // commands on either side that make up for one left out
-constexpr double crumb_slack = 1e-4;  // of the cost: 1 cm of 100 m, less than any search leaves
-constexpr double rounding = 1e-12;    // of the cost, which is no gain
-constexpr double swept_gain = 0.01;   // of the cost, at least, by what a sweep leaves out
-constexpr std::size_t reach_of_sweep = 2;
+constexpr double progress = 1e-3;                    // relative gain that counts as progress
+constexpr int patience = 600;                        // trials without progress that stall a drive
+constexpr std::size_t most_segments_of_window = 10;  // commands of a random window
+constexpr std::size_t reach = 3;  // commands on either side that make up for one left out
+/// Largest relative cost of leaving crumbs out: 1 cm of 100 m, less than any search leaves.
+constexpr double crumb_slack = 1e-4;
+constexpr double rounding = 1e-12;         // relative gain that is rounding
+constexpr double swept_gain = 0.01;        // least relative gain of a command left out by a sweep
+constexpr std::size_t reach_of_sweep = 2;  // commands on either side that a sweep changes
 
 double sum(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
@@ -27,7 +28,7 @@ bool are_equal(std::span<const Segment> a, std::span<const Segment> b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end());
 }
 
-/// Puts what is new in place of the elements from `first` to the one before `last`.
+/// Replaces the elements [first, last).
 template <class T>
 void put(std::vector<T>& values, std::size_t first, std::size_t last, std::span<const T> news) {
   const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first);
@@ -55,7 +56,8 @@ DriveShortener::DriveShortener(const Task& task, const search::CostRule& rule,
 
 bool DriveShortener::is_stalled() const { return idle_ > patience; }
 
-/// Finds out what the commands drive; what being near things adds at each of them may be known.
+/// Computes states and costs along the commands. `near`: known clearance costs of all commands, or
+/// empty.
 void DriveShortener::drive(std::vector<double> near) {
   const bool is_known = near.size() == commands_.size();
   driving_ = {.states = {{task_.start, task_.hitch_angles.start}},
@@ -78,11 +80,12 @@ void DriveShortener::drive(std::vector<double> near) {
     driving_.driven.push_back(driven);
   }
   cost_ = measure_ ? measure_(segments()) : sum(driving_.prices) + sum(driving_.near);
-  // So that small errors do not add up.
+  // The exact state at the end keeps small errors from adding up.
   driving_.states.back() = {task_.goal, task_.hitch_angles.goal};
 }
 
-/// What being near things adds, at most `cutoff` or something above it; another measure knows.
+/// Clearance cost of segments; above `cutoff` it is any number above it. 0 with a measure, which
+/// includes clearance.
 double DriveShortener::near_cost(const RigState& from, std::span<const Segment> segments,
                                  double cutoff) const {
   if (measure_) return 0.0;
@@ -90,7 +93,7 @@ double DriveShortener::near_cost(const RigState& from, std::span<const Segment> 
                                     cutoff);
 }
 
-/// Small ones more often than large ones.
+/// A random window; small ones are more frequent.
 DriveShortener::Window DriveShortener::any_window() {
   const std::size_t count = commands_.size();
   const std::size_t most = std::min(count, most_segments_of_window);
@@ -101,10 +104,10 @@ DriveShortener::Window DriveShortener::any_window() {
   return {first, first + size};
 }
 
-/// How much a trial changes.
+/// Random relative size of what a trial changes.
 double DriveShortener::any_size() { return size_ * std::exp2(uniform(-3.0, 2.0, rng_)); }
 
-/// Every length a little less or more, every curvature another one.
+/// Changes lengths and curvatures of some commands of the trial.
 void DriveShortener::shake(const Window& window) {
   const double size = any_size();
   const double sharpest = 1 / task_.vehicle.min_turning_radius;
@@ -119,7 +122,7 @@ void DriveShortener::shake(const Window& window) {
   }
 }
 
-/// One segment less, or two around a gear change.
+/// Leaves one command of the trial out, or two, mostly around a gear change.
 void DriveShortener::leave_out(const Window& window) {
   const std::size_t size = window.last - window.first;
   if (size < 3) return;
@@ -131,7 +134,7 @@ void DriveShortener::leave_out(const Window& window) {
   trial_.erase(trial_.begin() + at, trial_.begin() + at + (both ? 2 : 1));
 }
 
-/// One segment in two parts with curvatures a little apart.
+/// Splits a command of the trial in two with curvatures a little apart.
 void DriveShortener::split(const Window& window) {
   const std::size_t size = window.last - window.first;
   const std::size_t at = static_cast<std::size_t>(rng_() % size);
@@ -147,14 +150,14 @@ void DriveShortener::split(const Window& window) {
   trial_.insert(trial_.begin() + static_cast<std::ptrdiff_t>(at) + 1, second);
 }
 
-/// Changes the trial so that it leads where the window ends.
+/// Changes the trial so that it ends where the window ends. False if that fails.
 bool DriveShortener::closes(const Window& window) {
   return closer_.close(
       driving_.states[window.first], trial_, driving_.states[window.last],
       wheels_.ends_of_part(commands_, driving_.driven, window.first, window.last, ends_));
 }
 
-/// What is driven in the trial and behind it, and its prices.
+/// Computes gears, segments and costs of the trial, and of the command behind it.
 void DriveShortener::price_trial(const Window& window) {
   search::Driven driven = driving_.driven[window.first];
   search::Driven priced = window.first == 0 ? search::Driven(rule_.initial_gear) : driven;
@@ -179,7 +182,7 @@ void DriveShortener::price_trial(const Window& window) {
   next_price_ = search::drive_cost(rule_, obeyed.view(), priced);
 }
 
-/// How much being near things may add in the trial so that the drive costs less than `limit`.
+/// Most clearance cost of the trial for which the drive costs less than `limit`.
 double DriveShortener::left_for_near(const Window& window, double limit) const {
   double left = limit * (1 - rounding) - cost_ - sum(tried_.prices);
   for (std::size_t i = window.first; i < window.last; ++i) {
@@ -189,7 +192,7 @@ double DriveShortener::left_for_near(const Window& window, double limit) const {
   return left;
 }
 
-/// Whether being near things adds less than `left` in the trial.
+/// Computes clearance costs of the trial. False if they are not below `left`.
 bool DriveShortener::looks_at_near(const Window& window, double left) {
   tried_.states.clear();
   tried_.near.clear();
@@ -205,9 +208,10 @@ bool DriveShortener::looks_at_near(const Window& window, double left) {
   return true;
 }
 
-/// Puts the trial in place of the window if it is free and the drive costs less than `limit` then.
-/// Without a trailer what is driven elsewhere stays as it is, as the trial ends where the window
-/// does: hundreds of trials add up to less than a micrometre. With one errors grow on the way.
+/// Replaces the window by the trial if that is free and the drive then costs less than `limit`.
+/// Without a trailer, states elsewhere stay, as the trial ends where the window does: hundreds of
+/// trials add up to less than a micrometre. With a trailer errors grow on the way, so the whole
+/// chain is closed.
 bool DriveShortener::replace(const Window& window, double limit) {
   const auto is_cheap = [&] { return measure_ || left_for_near(window, limit) > 0.0; };
   price_trial(window);
@@ -254,7 +258,7 @@ bool DriveShortener::settle(std::vector<Segment> whole, std::vector<double> near
   std::swap(commands_, whole);
   drive(goes_on_ ? std::move(near) : std::vector<double>{});
   if (cost_ < limit) return true;
-  commands_ = std::move(whole);  // the wheels turn in another way without what was left out
+  commands_ = std::move(whole);  // too dear: behind the trial the wheels turn in another way
   driving_ = std::move(as_ever);
   cost_ = cost;
   return false;
@@ -277,11 +281,11 @@ bool DriveShortener::step() {
   return is_better;
 }
 
-/// Whether there is a command that was not left out in vain yet.
+/// Whether the sweep goes on: some command was not left out in vain yet.
 bool DriveShortener::sweeps() const { return commands_.size() > 3 && in_vain_ < commands_.size(); }
 
-/// Leaves the next command out, if that saves a good deal. A fresh drive is crooked, and nothing
-/// makes it as much cheaper in as little time.
+/// Leaves the next command out, if that gains much. A fresh drive is crooked, and no other trial
+/// gains as much in as little time.
 bool DriveShortener::sweep() {
   if (swept_ >= commands_.size()) swept_ = 0;
   const Window window{swept_ - std::min(swept_, reach_of_sweep),
@@ -315,7 +319,7 @@ bool DriveShortener::try_anything() {
   return is_better;
 }
 
-/// How many more segments shorter than a crumb are driven in the trial than in the window.
+/// Number of segments shorter than a crumb in the trial, less that in the window.
 int DriveShortener::more_crumbs(const Window& window) const {
   const auto crumbs = [&](std::span<const Segment> commands) {
     search::Driven driven = driving_.driven[window.first];
@@ -329,7 +333,8 @@ int DriveShortener::more_crumbs(const Window& window) const {
   return crumbs(trial_) - crumbs(in(window));
 }
 
-/// Joins command `i` and the one before it, or leaves it out, if that leaves no more crumbs.
+/// Joins command `i` with the one before it, or leaves it out. True if that is free, adds no crumbs
+/// and costs less than `limit`.
 bool DriveShortener::drop(std::size_t i, double limit) {
   const Window window{i - std::min(i, reach), std::min(commands_.size(), i + 1 + reach)};
   for (const bool joins : {true, false}) {
@@ -348,7 +353,7 @@ bool DriveShortener::drop(std::size_t i, double limit) {
   return false;
 }
 
-// The shortest one first, until none can go.
+// Leaves out crumbs, the shortest first, until none can go.
 void DriveShortener::drop_crumbs() {
   const double limit = (1 + crumb_slack) * cost_;
   bool dropped = true;

@@ -15,11 +15,11 @@
 
 namespace vandplan::commands {
 
-/// Improves one drive by trials, random ones after a first sweep; a trial is kept only if it is
+/// Improves one drive by trials: a first sweep, then random ones. A trial is kept only if it is
 /// free, cheaper and has no more crumbs.
 class DriveShortener {
  public:
-  /// What a drive costs by another measure than a rule.
+  /// Cost of a drive by another measure than a rule.
   using Measure = std::function<double(std::span<const Segment>)>;
 
   /// The task and the rule outlive the shortener. The commands are a free drive from the start of
@@ -30,31 +30,31 @@ class DriveShortener {
   /// One trial. True when the drive got cheaper.
   bool step();
 
-  /// Leaves crumbs out, or joins them with what is before them, where the others can make up for
-  /// that and the drive costs at most 1e-4 more than before, in all.
+  /// Leaves crumbs out or joins them with the command before, where other commands make up for
+  /// that. All changes together cost at most 1e-4 (relative).
   void drop_crumbs();
 
   [[nodiscard]] double cost() const { return cost_; }
   [[nodiscard]] const std::vector<Segment>& commands() const { return commands_; }
-  /// The drive, which ends at the goal.
+  /// The segments of the drive, which ends at the goal.
   [[nodiscard]] std::vector<Segment> segments() const {
     return merged(wheels_.driven(commands_, ends_.before));
   }
-  /// Whether many trials in a row brought next to nothing.
+  /// Whether many trials in a row brought almost nothing.
   [[nodiscard]] bool is_stalled() const;
   [[nodiscard]] std::int64_t checks() const { return checks_; }
 
  private:
   /// Commands that a trial replaces.
   struct Window {
-    std::size_t first, last;  // the one after them
+    std::size_t first, last;  // the commands [first, last)
   };
-  /// What is driven at the commands of a chain, and what it costs.
+  /// States, gears and costs along a chain of commands.
   struct Driving {
-    std::vector<RigState> states;        // before each command, and at the end
-    std::vector<search::Driven> driven;  // the same
-    std::vector<double> prices;          // of each command, without what
-    std::vector<double> near;            // being near things adds
+    std::vector<RigState> states;        // states before each command, and at the end
+    std::vector<search::Driven> driven;  // gears and curvatures before each command, and at the end
+    std::vector<double> prices;          // cost of each command without clearance
+    std::vector<double> near;            // clearance cost of each command
   };
 
   [[nodiscard]] bool sweeps() const;
@@ -91,18 +91,20 @@ class DriveShortener {
   std::vector<Segment> commands_;
   Driving driving_;
   double cost_ = 0.0;
-  std::vector<Segment> trial_;            // instead of a window
-  Driving tried_;                         // at the trial
-  std::vector<Segment> segments_;         // of the trial
-  std::vector<std::size_t> segments_at_;  // each of its commands
-  bool goes_on_ = true;                   // as ever, behind the trial,
-  double next_price_ = 0.0;               // but for the price of the next command
-  std::size_t swept_ = 0;                 // the next command that a sweep leaves out
-  std::size_t in_vain_ = 0;               // commands that it left out since it last saved anything
+  std::vector<Segment> trial_;            // commands in the place of a window
+  Driving tried_;                         // states, gears and costs along the trial
+  std::vector<Segment> segments_;         // segments of the trial
+  std::vector<std::size_t> segments_at_;  // number of segments of each command of the trial
+  /// Whether the command behind the trial drives the same segments as before.
+  bool goes_on_ = true;
+  /// Cost of the command behind the trial.
+  double next_price_ = 0.0;
+  std::size_t swept_ = 0;    // index of the next command that a sweep leaves out
+  std::size_t in_vain_ = 0;  // commands left out in vain since the last gain of the sweep
   Rng rng_;
-  double size_ = 0.1;  // of what a trial changes
-  int idle_ = 0;       // trials since the last progress worth the name
-  double progress_cost_ = 0.0;
+  double size_ = 0.1;           // relative size of what a trial changes
+  int idle_ = 0;                // trials since the last progress
+  double progress_cost_ = 0.0;  // cost at the last progress
   std::int64_t checks_ = 0;
 };
 

@@ -12,12 +12,12 @@ namespace {
 
 using search::Driven, search::GearSign, search::gear_of;
 
-constexpr double crumb = 1e-10;  // way that is none [m]
-// Of an arc where a drive goes on with a clothoid after a stop, times the root of 1 / rate.
+constexpr double crumb = 1e-10;  // length that counts as none [m]
+/// Length of the arc between a stop and a clothoid, times the root of the curvature rate.
 constexpr double first_arc = 5e-3;
 
-/// Room for the first half of turning the wheels to a curvature, which takes `half` metres: it is
-/// taken from the last command, or driven farther before the gear changes.
+/// Makes room for the first half of turning the wheels to a curvature, which takes `half` metres.
+/// The room is taken from the last command, or driven in addition before the gear changes.
 void turn_ahead(std::vector<Segment>& commands, double curvature, double half, GearSign next) {
   Segment& last = commands.back();
   const GearSign gear = gear_of(last);
@@ -92,7 +92,7 @@ std::vector<Segment> Wheels::commands(std::span<const Segment> segments,
       turn_ahead(result, segment.curvature, half, after.gear);
       command.length += after.gear * half;
     } else if (!is_free && before.gear == after.gear && segment.curvature_rate == 0.0) {
-      command.length += result.back().length;  // the wheels stay as they are
+      command.length += result.back().length;  // no wheels turn: one command is enough
       result.pop_back();
     }
     result.push_back(command);

@@ -3,9 +3,10 @@
 #pragma once
 // What does a vehicle drive whose wheels turn no faster than they can?
 //
-// A drive is a chain of commands: segments without a rate. At each of them the wheels turn to its
-// curvature, as fast as they may, and stay there; its length counts the metres of both. So every
-// chain of commands is a drive, and its curvature is as continuous as it has to be.
+// A drive is a chain of commands, which are segments without a rate. At each command the wheels
+// turn to its curvature as fast as they may, and stay there. The length of the command counts the
+// metres of both. So every chain of commands can be driven, and the curvature is as continuous as
+// it must be.
 //
 // Method: docs/algorithms/trailers.md.
 
@@ -20,18 +21,19 @@
 
 namespace vandplan::commands {
 
-/// How the wheels are before the first command of a chain and after the last one.
+/// What is driven before the first command of a chain, and the curvature after the last one.
 struct WheelEnds {
   search::Driven before = {};
   std::optional<double> after = {};  ///< curvature [1/m]; none: any
 };
 
-/// What is driven at one command.
+/// Segments that are driven for one command.
 struct Obeyed {
-  std::array<Segment, 2> segments = {};  ///< the first `count` are there: a clothoid, an arc
+  /// A clothoid, an arc or line, or both in this order; the first `count` are used.
+  std::array<Segment, 2> segments = {};
   std::uint8_t count = 0;
-  bool turns_at_once = false;    ///< what was before the command does not matter
-  bool reaches_command = false;  ///< the wheels get as far as they should
+  bool turns_at_once = false;    ///< whether the curvature jumps, whatever was driven before
+  bool reaches_command = false;  ///< whether the wheels reach the command's curvature
 
   [[nodiscard]] std::span<const Segment> view() const { return {segments.data(), count}; }
 };
@@ -41,53 +43,53 @@ class Wheels {
  public:
   Wheels(const Vehicle& vehicle, Steering steering);
 
-  /// Whether the curvature may jump somewhere else than at stops.
+  /// Whether the curvature may jump anywhere, not only at stops.
   [[nodiscard]] bool are_free() const { return steering_ == Steering::reeds_shepp; }
 
-  /// Whether they may turn at once between what is driven before and next.
+  /// Whether the curvature may jump between what is driven `before` and gear `next`.
   [[nodiscard]] bool may_jump(const search::Driven& before, search::GearSign next) const;
 
-  /// What is driven after `before`, which becomes how that ends. Nothing if the command has no
-  /// length, or next to none: nobody stops for a stroke of less than 1e-10 m.
+  /// The segments of a command after `before`, which becomes what is driven last. None if the
+  /// command is shorter than 1e-10 m: nobody stops for such a stroke.
   [[nodiscard]] Obeyed obey(const Segment& command, search::Driven& before) const;
 
-  /// What is driven along the whole chain.
+  /// The segments of a whole chain of commands.
   [[nodiscard]] std::vector<Segment> driven(std::span<const Segment> commands,
                                             search::Driven before) const;
 
-  /// Commands that lead along the segments, whose curvature may jump: there half of what it takes
-  /// to turn the wheels is driven before the jump, if there is room for it.
+  /// Commands along segments whose curvature may jump. At a jump, the wheels turn half before and
+  /// half after it, if there is room.
   [[nodiscard]] std::vector<Segment> commands(std::span<const Segment> segments,
                                               const WheelEnds& ends) const;
 
-  /// Commands of nearly no length left out, and alike ones joined; what the wheels did not get to
-  /// becomes what they got to.
+  /// The commands without those of almost no length; equal neighbours are joined. A curvature that
+  /// the wheels do not reach becomes the one that they reach.
   [[nodiscard]] std::vector<Segment> tidied(std::span<const Segment> commands,
                                             search::Driven before) const;
 
-  /// The wheels at both ends of a part of a chain, from command `first` to the one before `last`,
-  /// which is about to change. Where the vehicle rolls on they stay as they are, for the sake of
-  /// what comes next. `driven`: before each command, and at the end; `ends`: of the whole chain.
+  /// Wheel ends of the commands [first, last) of a chain, which are about to change. Where the
+  /// vehicle rolls on behind them, the curvature there must stay for the next command. `driven`:
+  /// what is driven before each command, and at the end. `ends`: those of the whole chain.
   [[nodiscard]] WheelEnds ends_of_part(std::span<const Segment> chain,
                                        std::span<const search::Driven> driven, std::size_t first,
                                        std::size_t last, const WheelEnds& ends) const;
 
-  /// What is driven from one curvature to another [m].
+  /// Distance driven while the wheels turn from one curvature to another [m].
   [[nodiscard]] double way(double from, double to) const;
 
  private:
   Steering steering_;
-  double rate_;  // change of curvature for each metre [1/m^2]
+  double rate_;  // largest change of curvature for each metre [1/m^2]
 };
 
-/// Segments shorter than this are crumbs, which no driver drives: a seventieth of the turning
-/// radius, 0.1 m for a truck [m].
+/// Length below which a segment is a crumb, which no driver drives [m]: a seventieth of the turning
+/// radius, 0.1 m for a truck.
 [[nodiscard]] constexpr double crumb_length(double turning_radius) { return turning_radius / 70; }
 
-/// Leaves no command sharper than the vehicle turns.
+/// Limits the curvatures of commands to the turning radius.
 void hold_curvatures(std::span<Segment> commands, double turning_radius);
 
-/// How the wheels of the task are at its start and at its goal.
+/// Wheel ends of the whole drive of a task. They are free unless the steering is `continuous`.
 [[nodiscard]] WheelEnds wheel_ends(const Task& task);
 
 }  // namespace vandplan::commands

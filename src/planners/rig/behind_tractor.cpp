@@ -17,10 +17,11 @@ namespace {
 
 using search::Budget;
 
-constexpr int most_widenings = 6;           // of the parts that are searched
-constexpr std::int64_t most_of_part = 400;  // expansions of one search
-constexpr std::size_t most_parts = 32;      // that one search leads over
-constexpr double fold_kept = 0.5;           // of the limit, where the trailer would fold up
+constexpr int most_widenings = 6;           // times that searched parts are widened
+constexpr std::int64_t most_of_part = 400;  // most expansions of one search
+constexpr std::size_t most_parts = 32;      // most parts of the path that one search replaces
+/// Share of its limit to which the hitch angle is set where the trailer would fold up.
+constexpr double fold_kept = 0.5;
 
 /// The task of the tractor without its trailer.
 Task tractor_task(const Task& task, const TractorTerms& terms) {
@@ -63,11 +64,11 @@ class Follower {
  public:
   Follower(const Task& task, const search::CostRule& rule, std::span<const Segment> way);
 
-  /// What both bodies drive freely, with parts that are searched where they cannot follow.
+  /// A free drive of the rig. Where the rig cannot follow the path, a search replaces parts of it.
   [[nodiscard]] std::optional<std::vector<Segment>> drive(std::int64_t expansions, Budget& budget);
 
  private:
-  /// Parts of the path, from `first` to the one before `last`.
+  /// Parts [first, second) of the path.
   using Parts = std::pair<std::size_t, std::size_t>;
 
   [[nodiscard]] std::optional<Parts> next_unsolved() const;
@@ -76,13 +77,13 @@ class Follower {
   void widen(const Parts& parts, std::size_t by);
 
   const Task& task_;
-  search::CostRule rule_;  // of the searches
-  double unit_;
-  std::vector<Segment> way_;        // in parts
-  std::vector<RigState> states_;    // before each part, and at the goal
-  std::vector<double> curvatures_;  // the same
-  std::vector<bool> is_free_;       // the rig drives that part
-  std::map<Parts, std::vector<Segment>> solved_;
+  search::CostRule rule_;           // prices of the searches
+  double unit_;                     // unit of the steps of a search [m]
+  std::vector<Segment> way_;        // path of the tractor, cut into parts
+  std::vector<RigState> states_;    // states of the rig before each part, and at the goal
+  std::vector<double> curvatures_;  // curvatures before each part, and at the goal
+  std::vector<bool> is_free_;       // whether the rig can drive each part freely
+  std::map<Parts, std::vector<Segment>> solved_;  // drives that replace parts
 };
 
 Follower::Follower(const Task& task, const search::CostRule& rule, std::span<const Segment> way)
@@ -137,7 +138,7 @@ void Follower::widen(const Parts& parts, std::size_t by) {
   for (std::size_t i = first; i < last; ++i) is_free_[i] = false;
 }
 
-/// A drive from the state before some parts to the one behind them.
+/// Searches for a drive from the state before some parts to the state behind them.
 std::optional<std::vector<Segment>> Follower::search(const Parts& parts, std::int64_t& left,
                                                      Budget& budget) const {
   const auto [first, last] = parts;

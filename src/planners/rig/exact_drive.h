@@ -15,13 +15,13 @@
 
 namespace vandplan::rig {
 
-/// Bends segments that lead about from the start of a task to its goal until they end there. The
-/// task has a vehicle with a trailer and outlives this.
+/// Changes segments that nearly lead from the start of a task to its goal, until they end exactly
+/// there. The task has a vehicle with a trailer and outlives the object.
 class ExactDrive {
  public:
   explicit ExactDrive(const Task& task);
 
-  /// The commands of a free drive; nothing if there is none along the segments.
+  /// The commands of a free drive along the segments; none if none was found.
   [[nodiscard]] std::optional<std::vector<Segment>> along(std::span<const Segment> segments);
 
  private:

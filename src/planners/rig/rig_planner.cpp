@@ -28,14 +28,14 @@ namespace {
 
 using namespace search;
 
-constexpr double rounding = 1e-9;      // of the bound, relative
-constexpr double worth_a_trial = 1.3;  // price of a route beside that of the best drive
+constexpr double rounding = 1e-9;      // relative rounding of the bound
+constexpr double worth_a_trial = 1.3;  // a route may cost so many times the best drive
 
-/// A way to look, for what is open, narrow or full of turns.
+/// Settings of a search, for ways that are open, narrow or full of turns.
 struct Kind {
   double step, weight;
   int levels;
-  int share;  ///< of the expansions, beside others
+  int share;  ///< share of the expansions, relative to other searches
 };
 constexpr std::array<Kind, 7> kinds = {{{3, 8, 1, 1},
                                         {2.2, 8, 2, 1},
@@ -44,15 +44,16 @@ constexpr std::array<Kind, 7> kinds = {{{3, 8, 1, 1},
                                         {3, 8, 1, 1},
                                         {2.2, 8, 2, 1},
                                         {1.5, 8, 4, 1}}};
-constexpr std::size_t forward_kind = 4;  // looks forward alone until there is a drive
-constexpr std::size_t bare_kinds = 5;    // first of those that look without the margin
+/// Index of the search that hardly reverses until there is a drive.
+constexpr std::size_t forward_kind = 4;
+constexpr std::size_t bare_kinds = 5;  // index of the first search without the margin
 
-/// Trials between two looks at whether a drive may become the best one.
+/// Trials between two checks whether a drive may become the best one.
 constexpr int trials_of_look = 128;
-/// A drive is given up where so many looks like the last one would not make it the best.
+/// A drive is given up if so many times its last gain would not make it the best one.
 constexpr double hope = 6.0;
 
-/// By these prices the first drive is looked for, whatever the ones in force are.
+/// Prices of the searches for the first drive, whatever the prices in force.
 CostRule helpful_rule(const CostOptions& cost) {
   CostOptions options = driver_style;
   options.initial_gear = cost.initial_gear;
@@ -60,7 +61,7 @@ CostRule helpful_rule(const CostOptions& cost) {
   return cost_rule(options);
 }
 
-/// Prices that lead to drives of other kinds: hardly in reverse.
+/// Prices that lead to other kinds of drive: they hardly reverse.
 CostRule forward_rule(const CostOptions& cost) {
   CostOptions options = driver_style;
   options.initial_gear = cost.initial_gear;
@@ -70,7 +71,7 @@ CostRule forward_rule(const CostOptions& cost) {
   return cost_rule(options);
 }
 
-/// What came of a run so far.
+/// One run: its searches, and its best drive so far.
 class Run {
  public:
   Run(const Task& task, const PlanOptions& options, const planning::Pricing& pricing)
@@ -89,24 +90,24 @@ class Run {
         bound_(least_cost(task, pricing)),
         least_(least_cost(task, pricing, Ends::exact)) {}
 
-  /// Drives that need no search.
+  /// If the goal is far away, follows a path of the tractor first.
   void begin();
-  /// Searches for a drive, in several ways by turns. False when the budget is spent.
+  /// One round of searches, following and shortening. False when the run is over.
   bool search();
-  /// Proven: the tractor or the trailer cannot get from the start to the goal.
+  /// Whether it is proven that the tractor or the trailer cannot get from the start to the goal.
   [[nodiscard]] bool is_walled_in() const { return tractor_.is_proven() || trailer_.is_proven(); }
   [[nodiscard]] PlannerAnswer answer();
   [[nodiscard]] bool is_over() { return budget_.exhausted() || is_walled_in() || is_good_enough(); }
 
  private:
   static constexpr int first_share = 128, most_share = 1 << 14;
-  /// One of the ways to search.
+  /// Slot of one kind of search.
   struct Search {
     std::optional<RigSearch> now;
     int rounds = 0;
-    std::size_t task = 0;       // whose wheels it looks with
-    bool is_of_prices = false;  // by the prices in force
-    bool is_bare = false;       // without the margin
+    std::size_t task = 0;       // index of the task whose wheels the search has
+    bool is_of_prices = false;  // whether the search has the prices in force
+    bool is_bare = false;       // whether the search ignores the margin
   };
 
   void look_for_walls();
@@ -127,36 +128,37 @@ class Run {
   }
 
   const Task& task_;
-  const std::deque<Task> tasks_;  // the task, and where time counts with softer wheels
+  const std::deque<Task> tasks_;  // the task, and copies with slower wheels if time counts
   const PlanOptions& options_;
   const planning::Pricing& pricing_;
-  double min_stroke_;  // that is asked for [m]
+  double min_stroke_;  // least stroke that is asked for [m]
   Budget budget_;
-  std::array<CostRule, 4> rules_;  // of searches: in force, and others for drives of other kinds
-  double unit_;                    // of the steps of a search [m]
-  std::optional<Task> bare_;       // the task without its margin
+  /// Prices of searches: in force, a driver's, in force, and with hardly any reverse.
+  std::array<CostRule, 4> rules_;
+  double unit_;               // unit of the steps of a search [m]
+  std::optional<Task> bare_;  // the task without its margin
   Guides guides_;
   std::array<Search, kinds.size()> searches_;
-  int share_ = first_share;  // of expansions, which grows
-  int follows_ = 0;          // paths of the tractor
+  int share_ = first_share;  // expansions of a search in a round, which grow
+  int follows_ = 0;          // paths of the tractor that were followed
   Task towed_;
   Enclosure tractor_{task_}, trailer_{towed_};
-  double bound_;                              // no drive costs less [m]
-  double least_;                              // none that ends just at the goal costs less [m]
-  std::optional<std::vector<Segment>> best_;  // what is driven
-  std::vector<Segment> best_commands_;
-  std::size_t best_with_ = 0;      // task whose wheels obey them
+  double bound_;                              // lower bound of the cost [m or s]
+  double least_;                              // lower bound of the cost with exact ends [m or s]
+  std::optional<std::vector<Segment>> best_;  // segments of the best drive
+  std::vector<Segment> best_commands_;        // commands of the best drive
+  std::size_t best_with_ = 0;      // index of the task whose wheels obey the best commands
   std::vector<Segment> roomiest_;  // drive without the margin, while there is none with it
-  double lack_ = 0.0;              // its cost by the rule of room
-  double best_cost_ = 0.0;
-  double best_wanted_ = 0.0;  // its cost, and more where strokes are shorter than is asked for
+  double lack_ = 0.0;              // cost of `roomiest_` by `rule_of_room`
+  double best_cost_ = 0.0;         // cost of the best drive
+  double best_wanted_ = 0.0;       // cost of the best drive with a price for short strokes
   std::vector<CostSample> trace_;
   std::int64_t nodes_ = 0, checks_ = 0, closings_ = 0, bridges_ = 0, trials_ = 0;
-  std::uint64_t shortened_ = 0;
+  std::uint64_t shortened_ = 0;  // drives shortened so far; numbers their seeds
 };
 
-/// A search that is at its end, or has found something, makes way for a finer one of its kind.
-/// Until there is a drive all look by helpful prices; then each goes through all of them.
+/// Begins a search in place of one that has ended or found a drive. It is finer each time. Before
+/// the first drive searches have helpful prices; then each has all prices in turn.
 void Run::begin(Search& search) {
   const auto kind = static_cast<std::size_t>(&search - searches_.data());
   const auto& [step, weight, levels, share] = kinds[kind];
@@ -187,7 +189,7 @@ void Run::end(Search& search) {
   search.now.reset();
 }
 
-/// A while for each of both bodies; whoever has a path needs no proof that there is none.
+/// Works for a while on proofs that tractor or trailer cannot get there, unless there is a drive.
 void Run::look_for_walls() {
   if (best_) return;
   for (Enclosure* enclosure : {&tractor_, &trailer_}) {
@@ -198,13 +200,13 @@ void Run::look_for_walls() {
 
 /// Where the way is far, [1] comes before the searches, which take long there.
 void Run::begin() {
-  constexpr double far = 12;  // [turning radii]
+  constexpr double far = 12;  // distance that is far [turning radii]
   constexpr std::int64_t work_of_far_way = 1000;
   const double apart = std::hypot(task_.goal.x - task_.start.x, task_.goal.y - task_.start.y);
   if (apart > far * turning_radius(task_.vehicle)) follow_tractor(work_of_far_way);
 }
 
-/// [2] Some expansions of a search.
+/// [2] Does some expansions of a search, and takes a drive that it finds.
 void Run::turn(Search& search, int expansions) {
   if (!search.now) begin(search);
   if (best_ && search.is_of_prices) search.now->set_cutoff(cutoff());
@@ -219,7 +221,7 @@ void Run::turn(Search& search, int expansions) {
   }
 }
 
-/// [1] Along another path of the tractor.
+/// [1] Plans another path of the tractor and follows it.
 void Run::follow_tractor(std::int64_t work) {
   constexpr std::array radii = {1.3, 1.05, 1.6};
   constexpr std::array reverse_weights = {20.0, 2.0};
@@ -239,9 +241,9 @@ bool Run::search() {
     if (i >= bare_kinds && (best_ || !bare_)) break;
     const bool had_drive = best_.has_value();
     turn(searches_[i], share_ * kinds[i].share);
-    if (!had_drive && best_) break;  // the others had no chance to look by the prices in force
+    if (!had_drive && best_) break;  // the other searches have not had the prices in force
   }
-  const bool tries_others = !pricing_.counts_time() || !best_;  // a trial takes long by time
+  const bool tries_others = !pricing_.counts_time() || !best_;  // by time a trial takes long
   if (tries_others && !is_over()) follow_tractor(share_);
   if (tries_others && !is_over()) polish();
   look_for_walls();
@@ -258,7 +260,7 @@ commands::DriveShortener::Measure Run::measure() const {
   };
 }
 
-/// From what price on routes are of no interest to a search.
+/// Price from which on searches ignore routes.
 double Run::cutoff() const {
   if (!pricing_.counts_time()) return best_wanted_;
   Driven driven = pricing_.rule().initial_gear;
@@ -277,7 +279,7 @@ void Run::keep(const DriveShortener& drive, std::size_t task) {
   trace_.push_back({budget_.elapsed(), budget_.iterations(), best_cost_});
 }
 
-/// [4] Makes a drive cheaper for as long as it is the best one, or may become that.
+/// [4] Makes a drive cheaper as long as it is the best one or may become it.
 void Run::shorten(DriveShortener& drive, std::size_t task) {
   keep(drive, task);
   double before = drive.cost();
@@ -292,8 +294,8 @@ void Run::shorten(DriveShortener& drive, std::size_t task) {
   checks_ += drive.checks();
 }
 
-/// A drive that the wheels of a task obey: shortened with those, and with softer ones. It is kept
-/// even if the budget is spent.
+/// Takes a drive that the wheels of task `with` obey, and shortens it with these wheels, then with
+/// softer ones. The drive is kept even if the budget is spent.
 void Run::take(std::vector<Segment> commands, std::size_t with) {
   for (std::size_t i = with; i < tasks_.size() && (i == with || !budget_.exhausted()); ++i) {
     const Task& task = tasks_[i];
@@ -307,7 +309,8 @@ void Run::take(std::vector<Segment> commands, std::size_t with) {
   }
 }
 
-/// [2] A drive that is free without the margin: moved away from things until it keeps the margin.
+/// [2] Moves a drive that is free without the margin away from obstacles, until it keeps the
+/// margin.
 void Run::widen(const std::vector<Segment>& commands) {
   const CostRule rule = rule_of_room(options_.clearance.margin);
   DriveShortener drive(*bare_, rule, commands, stream_seed(options_.budget.seed, shortened_++));
@@ -325,7 +328,8 @@ void Run::widen(const std::vector<Segment>& commands) {
   lack_ = drive.cost();
 }
 
-/// [5] Another look at the best drive.
+/// [5] Shortens the best drive again. If there is none, moves the roomiest drive away from
+/// obstacles.
 void Run::polish() {
   if (best_) take(best_commands_, best_with_);
   if (!best_ && !roomiest_.empty()) widen(std::vector(roomiest_));

@@ -12,8 +12,8 @@
 
 namespace vandplan::rig {
 
-/// Plans for a vehicle with a trailer, which stands free of everything at both ends: what `anytime`
-/// does with such a task.
+/// Plans for a vehicle with a trailer: the planner `anytime` for such tasks. Expects start and goal
+/// to be free.
 [[nodiscard]] PlannerAnswer plan_rig(const Task& task, const PlanOptions& options,
                                      const planning::Pricing& pricing);
 

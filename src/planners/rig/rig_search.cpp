@@ -15,11 +15,12 @@ namespace {
 
 using search::Driven;
 
-constexpr double usual_angle = 0.7;       // between tractor and trailer in a turn [rad]
-constexpr double near_steps = 3;          // from the other end of the drive, about
-constexpr int expansions_per_bridge = 5;  // odd: both searches get their turn
-constexpr int most_halvings = 2;          // of a step that would fold the rig up
+constexpr double usual_angle = 0.7;       // usual hitch angle in a turn [rad]
+constexpr double near_steps = 3;          // cost-to-go below which the other root is tried [steps]
+constexpr int expansions_per_bridge = 5;  // odd, so that both searches have bridges
+constexpr int most_halvings = 2;          // halvings of a step that would fold the rig up
 
+/// Box around start and goal for the guides.
 Bounds around(const Task& task) {
   const Bounds& b = task.world->local().bounds;
   const double apart = std::hypot(task.goal.x - task.start.x, task.goal.y - task.start.y);
@@ -31,13 +32,13 @@ Bounds around(const Task& task) {
           std::max(b.y_min, low - margin), std::min(b.y_max, high + margin)};
 }
 
-/// The same way in the other gear.
+/// The segment driven back from its end to its begin.
 Segment backwards(const Segment& segment) {
   if (segment.curvature_rate == 0.0) return {segment.curvature, -segment.length};
   return {search::last_driven(segment).curvature, -segment.length, -segment.curvature_rate};
 }
 
-/// Full lock to either side, gently, and straight on, of each level.
+/// Primitives of each level: full lock and a gentle turn to either side, and straight on.
 std::vector<std::vector<Primitive>> primitives_of(const Vehicle& vehicle,
                                                   const Fineness& fineness) {
   const double sharpest = 1 / vehicle.min_turning_radius;
@@ -55,7 +56,7 @@ std::vector<std::vector<Primitive>> primitives_of(const Vehicle& vehicle,
   return all;
 }
 
-/// Prices of metres and gear changes alone: the arcs of a search say little of others.
+/// The rule without the price of steering, of which the arcs of a search say little.
 CostRule priced(CostRule rule) {
   rule.curvature_change_cost = 0.0;
   return rule;
@@ -135,8 +136,8 @@ std::int64_t RigSearch::nodes() const {
   return static_cast<std::int64_t>(sides_[0].nodes.size() + sides_[1].nodes.size());
 }
 
-/// How often the step is halved there: once where less than the width of the vehicle is left, and
-/// again for each half of that.
+/// Level of the steps at a state: how many of w, w/2, w/4 and so on are larger than the room there,
+/// where w is the width of the vehicle.
 int RigSearch::level_at(const RigState& state) const {
   if (fineness_.levels <= 1) return 0;
   double least = task_.vehicle.width;
@@ -159,7 +160,8 @@ std::uint64_t RigSearch::key_of(const RigState& state, int level) const {
   return (key << 2) | static_cast<std::uint64_t>(level);
 }
 
-/// A guide: the ways of the tractor and of the trailer on open ground, and around obstacles.
+/// Cost-to-go: the largest of the lengths of tractor and trailer on open ground and the way around
+/// obstacles, and something for the change of the hitch angle.
 RigSearch::ToGo RigSearch::to_go(const Side& side, const RigState& state) const {
   const CostRule& rule = side.rule;
   const double cheapest = std::min(rule.forward_weight, rule.reverse_weight);
@@ -181,7 +183,8 @@ bool RigSearch::step() {
   return true;
 }
 
-/// [1] to [4]: the state of the least rank, if the way to it is free.
+/// [2] Expands the state of the least rank if the command to it is free, or else the next state.
+/// False if no state is left.
 bool RigSearch::expand(std::size_t which) {
   Side& side = sides_[which];
   while (!side.open.empty()) {
@@ -229,7 +232,7 @@ void RigSearch::add_children(Side& side, std::int32_t id) {
   for (const double length : {step, -step}) add(side, parent, {vehicle, {holding, length}});
 }
 
-/// The state that a command leads to, which is obeyed that way.
+/// The state behind a primitive, whose command is driven as `obeyed`.
 RigState RigSearch::after(const Parent& parent, const Primitive& primitive,
                           const Obeyed& obeyed) const {
   RigState state = parent.node.state;
@@ -271,15 +274,15 @@ void RigSearch::add(Side& side, const Parent& parent, Primitive primitive) {
       {state, primitive.command, driven, cost, left, parent.id, false, from.level});
 }
 
-/// Whether the wheels get from what is driven on one side to what is driven on the other one on the
-/// way of a step.
+/// Whether the wheels can turn on one step from the curvature of one side to that of the other
+/// side.
 bool RigSearch::turn_in_time(const Driven& here, const Driven& there, int level) const {
   if (there.gear == 0 || wheels_.may_jump(here, -there.gear)) return true;
   return wheels_.way(here.curvature, there.curvature) <= std::ldexp(fineness_.step, -level);
 }
 
-/// [5] The root of the other search is near, or a state of it in the same cell or beside it: is
-/// there an exact drive by way of both?
+/// [3] Tries to join a state with the root of the other search if that is near, and with states of
+/// the other search in the same cell or beside it.
 void RigSearch::meet(std::size_t which, std::int32_t id) {
   if (found_) return;
   const Side& other = sides_[1 - which];
@@ -305,7 +308,7 @@ void RigSearch::meet(std::size_t which, std::int32_t id) {
   }
 }
 
-/// What is driven from the root of a side to a state.
+/// The segments from the root of a side to a state.
 std::vector<Segment> RigSearch::branch(const Side& side, std::int32_t id) const {
   std::vector<Segment> commands;
   for (; id > 0; id = side.nodes[static_cast<std::size_t>(id)].parent) {
@@ -315,7 +318,7 @@ std::vector<Segment> RigSearch::branch(const Side& side, std::int32_t id) const 
   return wheels_.driven(commands, side.before);
 }
 
-/// Whether the tractor would get straight from one place to another.
+/// Whether the tractor could drive straight from one place to another.
 bool RigSearch::is_in_sight(const Pose& from, const Pose& to) {
   ++checks_;
   const double dx = to.x - from.x, dy = to.y - from.y;
@@ -323,8 +326,9 @@ bool RigSearch::is_in_sight(const Pose& from, const Pose& to) {
   return task_.checker->is_free(Local(Pose{from.x, from.y, base::atan_2(dy, dx)}), line);
 }
 
-/// [6] Now and then: does exact steering lead to the state that the other search came to last, or
-/// to the one that is nearest to where this search began? Every second time if it is out of sight.
+/// [3] Now and then tries to join a state by exact steering with the latest state of the other
+/// search, or with the one nearest to the root of this search. A state out of sight is tried every
+/// second time.
 void RigSearch::bridge(std::size_t which, std::int32_t id) {
   if (found_ || !steering_ || ++expansions_ % expansions_per_bridge != 0) return;
   const Side& other = sides_[1 - which];

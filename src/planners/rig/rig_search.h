@@ -29,43 +29,44 @@ using namespace commands;
 
 using search::Connector, search::CostRule, search::GearSign;
 
-/// How a search looks.
+/// Fineness and greediness of one search.
 struct Fineness {
-  double step = 1.0;    ///< from state to state where there is room [m]
-  double weight = 2.0;  ///< of what is still to go
-  int levels = 1;       ///< at most 4; with each the step is halved where half as much room is left
-  std::size_t most_nodes = 100000;
+  double step = 1.0;    ///< length of a step where there is room [m]
+  double weight = 2.0;  ///< weight of the cost-to-go
+  /// Number of levels, at most 4. Each level halves the step where half as much room is left.
+  int levels = 1;
+  std::size_t most_nodes = 100000;  ///< nodes at which the search ends
 };
 
-/// Ways around the obstacles, for all searches of a task.
+/// Ways around obstacles from all places to both ends, for all searches of a task.
 struct Guides {
   explicit Guides(const Task& task);
 
   search::GridDistance to_goal, to_start;
 };
 
-/// A command whose wheels turn at once, and what it does to a rig.
+/// A command as if wheels turned at once, and its effect on a rig.
 struct Primitive {
   Primitive(const Vehicle& vehicle, const Segment& of) noexcept;
 
   Segment command;
-  Pose moved;  ///< where the tractor is, seen from where it was
-  vehicle::HitchAlongArc hitch;
+  Pose moved;                    ///< pose of the tractor behind the command, seen from before it
+  vehicle::HitchAlongArc hitch;  ///< change of the hitch angle
 };
 
-/// Two searches, one from the start and one back from the goal, that look for each other.
+/// Two searches, one from the start and one back from the goal, that try to meet.
 class RigSearch {
  public:
   /// The task has a vehicle with a trailer; task, rule and guides outlive the search.
   RigSearch(const Task& task, const CostRule& rule, const Guides& guides, const Fineness& fineness);
 
-  /// From now on drives that cost as much are of no interest [m].
+  /// Ignores drives that cost `cost` or more from now on [m].
   void set_cutoff(double cost) { cutoff_ = cost; }
 
-  /// Expands one state. False when there is nothing left to expand.
+  /// Expands one state. False if nothing is left to expand, or there are `most_nodes` nodes.
   bool step();
 
-  /// The commands of the exact drive that was found, until they are asked for.
+  /// The commands of the exact drive that was found since the last call; none if none was found.
   [[nodiscard]] std::optional<std::vector<Segment>> take_found();
 
   [[nodiscard]] std::int64_t nodes() const;
@@ -74,20 +75,21 @@ class RigSearch {
   [[nodiscard]] std::int64_t bridges() const { return bridges_; }
 
  private:
+  /// State that was reached, with its command from the parent.
   struct Node {
     RigState state;
-    Segment command;        // at the parent
-    search::Driven driven;  // to get here
-    double cost;
-    double to_go;
-    std::int32_t parent;  // -1 for the root
-    bool is_reached;      // the way from the parent is free
-    int level;            // of the cell, and then of the steps from here
+    Segment command;        // command from the parent
+    search::Driven driven;  // gear and curvature at the end of the command
+    double cost;            // cost-to-come [m]
+    double to_go;           // estimated cost-to-go [m]
+    std::int32_t parent;    // index of the parent; -1 for the root
+    bool is_reached;        // whether the command from the parent is known to be free
+    int level;              // level of the cell; once expanded, of the steps from here
   };
-  /// What is known of a cell of states.
+  /// Best node of a cell of states.
   struct Cell {
-    double least = 1e300;    // cost of a node
-    std::int32_t node = -1;  // that is reached; -1: none
+    double least = 1e300;    // least cost-to-come of a node
+    std::int32_t node = -1;  // index of the reached node; -1: none
   };
   /// A node while its children are added.
   struct Parent {
@@ -95,26 +97,28 @@ class RigSearch {
 
     std::int32_t id;
     Node node;
-    base::SinCos heading, fold;  // of its heading and of its hitch angle
+    base::SinCos heading, fold;  // sines and cosines of the node's heading and hitch angle
   };
+  /// Entry of the open list.
   struct Entry {
     double rank;
     std::int32_t node;
-    bool operator<(const Entry& other) const {  // a queue has its greatest in front
+    /// Whether `other` comes first: a std::priority_queue has its greatest entry in front.
+    bool operator<(const Entry& other) const {
       return rank != other.rank ? rank > other.rank : node < other.node;
     }
   };
   /// One of the two searches.
   struct Side {
-    CostRule rule;  // of driving from its root
+    CostRule rule;  // prices of driving from the root
     RigState root, target;
-    search::Driven before;  // the wheels at the root
+    search::Driven before;  // gear and curvature at the root
     Pose target_trailer;
     const search::GridDistance* grid;
     std::vector<Node> nodes;
     std::priority_queue<Entry> open = {};
     std::unordered_map<std::uint64_t, Cell> cells = {};
-    std::int32_t nearest = 0;  // reached node with the least to go
+    std::int32_t nearest = 0;  // reached node with the least cost-to-go
     std::int32_t latest = 0;   // reached node that was expanded last
   };
 
@@ -123,7 +127,7 @@ class RigSearch {
                                const search::GridDistance& grid) const;
   [[nodiscard]] std::uint64_t key_of(const RigState& state, int level) const;
   [[nodiscard]] int level_at(const RigState& state) const;
-  /// What is left to drive, about, and at least [m].
+  /// Estimate and lower bound of the cost-to-go [m].
   struct ToGo {
     double guess, least;
   };
@@ -146,11 +150,13 @@ class RigSearch {
   Wheels wheels_;
   WheelEnds ends_;
   ExactDrive exact_;
-  std::optional<RigSteering> steering_;  // none for vehicles that it does not know
+  /// Exact steering; none for vehicles that it does not support.
+  std::optional<RigSteering> steering_;
   Fineness fineness_;
-  double trailer_radius_;  // that a trailer turns with in ease [m]
+  double trailer_radius_;  // turning radius that suits the trailer [m]
+  /// Cells of places, headings and hitch angles at level 0.
   double cell_, heading_cell_, angle_cell_;
-  std::vector<std::vector<Primitive>> primitives_;  // of each level
+  std::vector<std::vector<Primitive>> primitives_;  // primitives of each level
   std::array<Side, 2> sides_;
   std::size_t turn_ = 0;
   double cutoff_ = std::numeric_limits<double>::infinity();
@@ -159,16 +165,16 @@ class RigSearch {
   std::int64_t closings_ = 0;
   std::int64_t expansions_ = 0;
   std::int64_t bridges_ = 0;
-  std::int64_t out_of_sight_ = 0;  // of the bridges
+  std::int64_t out_of_sight_ = 0;  // bridges between places out of sight
 };
 
-/// About what a rig drives until its trailer follows [m]: the unit of the steps of a search.
+/// Unit of the steps of a search [m]: about the distance after which a trailer follows.
 [[nodiscard]] double search_unit(const Vehicle& vehicle);
 
-/// Exact steering of the vehicle; none for vehicles that it does not know.
+/// Exact steering of the vehicle; none for vehicles that it does not support.
 [[nodiscard]] std::optional<RigSteering> steering_of(const Vehicle& vehicle);
 
-/// Of the sharpest circle that the rig can go on driving, of its tractor [m].
+/// Radius of the tractor on the sharpest circle that the rig can hold [m].
 [[nodiscard]] double turning_radius(const Vehicle& vehicle);
 
 }  // namespace vandplan::rig

@@ -14,8 +14,8 @@ std::optional<Task> without_margin(const Task& task, double margin) {
 }
 
 search::CostRule rule_of_room(double margin) {
-  constexpr double price = 1000.0;  // beside which the length is small
-  constexpr double least = 0.01;    // that a distance may be [m]
+  constexpr double price = 1000.0;  // weight beside which the length is small
+  constexpr double least = 0.01;    // least clearance distance of the rule [m]
   CostOptions options = shortest_style;
   options.clearance_weight = price;
   options.clearance_distance = std::max(margin + 2 * CollisionChecker::tolerance, least);

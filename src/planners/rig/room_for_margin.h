@@ -14,7 +14,8 @@ namespace vandplan::rig {
 /// The task without its margin; none if the margin is 0.
 [[nodiscard]] std::optional<Task> without_margin(const Task& task, double margin);
 
-/// The cost of a drive by how far, and on how many metres, it is nearer to things than the margin.
+/// Rule whose cost is how far, and on how many metres, a drive is nearer to obstacles than the
+/// margin; the length hardly counts.
 [[nodiscard]] search::CostRule rule_of_room(double margin);
 
 }  // namespace vandplan::rig

@@ -8,7 +8,7 @@
 namespace vandplan::rig {
 namespace {
 
-// Of the largest change of curvature per metre. Each drive is bent into the next one.
+/// Shares of the largest curvature rate. Each drive is bent into the next one.
 constexpr double sharpnesses[] = {0.7, 0.5, 0.35, 0.25};
 
 }  // namespace

@@ -14,8 +14,8 @@
 
 namespace vandplan::rig {
 
-/// The task, and the same task with wheels that turn more and more slowly for each metre driven;
-/// the task alone if its curvature may jump anywhere.
+/// The task, and copies whose wheels turn more and more slowly for each metre driven. The task
+/// alone if its curvature may jump anywhere.
 [[nodiscard]] std::deque<Task> with_softer_wheels(const Task& task);
 
 }  // namespace vandplan::rig

@@ -15,7 +15,8 @@ namespace {
 
 using search::Connector, search::CostRule;
 
-/// The least cost on open ground of a body alone: to just there, or to ends that may be so far off.
+/// Lower bound of the cost of one body alone on open ground, for exact ends or for ends that are
+/// `off`.
 double least_cost_alone(const Task& task, const CostRule& rule, Ends which,
                         const steering::Closing& off) {
   if (which == Ends::exact) {
@@ -24,8 +25,8 @@ double least_cost_alone(const Task& task, const CostRule& rule, Ends which,
   return anytime::least_cost(anytime::open_ground(task, rule, off), rule, 0.0);
 }
 
-/// How far the ends of a trailer's axle may be off where those of its tractor are as far off as the
-/// judge allows, and the hitch angle is.
+/// How far the ends of a trailer's axle may be off, if tractor and hitch angle are off as far as
+/// the judge allows.
 steering::Closing ends_of_trailer(const Vehicle& vehicle) {
   const auto& [position, heading] = steering::judged;
   const double arm = std::abs(vehicle.hitch) + 2 * vehicle.trailer->wheelbase;

@@ -3,7 +3,7 @@
 #pragma once
 // What does the trailer alone say about all drives of a rig?
 //
-// Proofs: docs/algorithms/trailers.md.
+// Proofs: docs/proofs/rigs.md.
 
 #include "planners/pricing.h"
 #include "vandplan/problem.h"
@@ -11,22 +11,23 @@
 
 namespace vandplan::rig {
 
-/// The task of the trailer, as if it drove by itself: its body, its poses at both ends, and the
-/// radius below which its axle never turns; `checker` is that of the rig. The task has a vehicle
+/// The task of the trailer as if it drove by itself: its body, its poses at both ends, and the
+/// radius below which its axle never turns. `checker` is that of the rig. The task has a vehicle
 /// with a trailer.
 [[nodiscard]] Task towed_task(const Task& task);
 
-/// Which drives a bound holds for.
+/// Drives for which a bound holds.
 enum class Ends {
-  judged,  ///< all that the judge accepts: start and goal may be off by its tolerance
-  exact    ///< those that begin and end just there
+  judged,  ///< all drives that the judge accepts: start and goal may be off by its tolerance
+  exact    ///< drives with exact ends
 };
 
-/// No drive of the rig costs less [m]. Where driving has no prices it holds for exact ends alone.
+/// Lower bound of the cost of all drives of the rig [m]. By length it holds for exact ends only.
 [[nodiscard]] double least_cost(const Task& task, const search::CostRule& rule,
                                 Ends ends = Ends::judged);
 
-/// The same where the time may be a part of the cost [m], or all of it [s].
+/// Lower bound of the cost of all drives of the rig, where the time is a part of the cost [m], or
+/// all of it [s].
 [[nodiscard]] double least_cost(const Task& task, const planning::Pricing& pricing,
                                 Ends ends = Ends::judged);
 
