@@ -92,8 +92,8 @@ class RigTable {
 [[nodiscard]] RigTable embedded_rig_table(const Vehicle& vehicle);
 
 /// Lower bound of the length of every path from one state to another [m], from the table of bounds.
-/// It is the larger of the bounds for the tractor by itself and for the trailer. The vehicle must
-/// have a trailer.
+/// It is the larger of the bounds for the tractor by itself and for the trailer. Throws InputError
+/// naming "vehicle.trailers" without a trailer.
 [[nodiscard]] double rig_length_bound(const Vehicle& vehicle, const RigState& from,
                                       const RigState& to);
 

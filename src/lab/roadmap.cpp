@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/require.h"
 #include "lab/milestones.h"
 #include "vandplan/input_error.h"
 #include "vandplan/reeds_shepp.h"
@@ -292,8 +293,8 @@ std::int64_t Roadmap::samples() const noexcept { return data_->samples; }
 namespace {
 
 void expect_in_range(const char* option, double value, double least, double most) {
-  if (value >= least && value <= most) return;
-  throw InputError(option, "is out of range");
+  base::require(value >= least && value <= most, option, value,
+                base::shortest_text(least) + " to " + base::shortest_text(most));
 }
 
 }  // namespace

@@ -21,6 +21,7 @@ RigTable embedded_rig_table(const Vehicle& vehicle) {
 }
 
 double rig_length_bound(const Vehicle& vehicle, const RigState& from, const RigState& to) {
+  if (!vehicle.trailer) throw InputError("vehicle.trailers", "are missing, expected one");
   const double of_tractor = length_bounds(from.pose, to.pose, vehicle.min_turning_radius).low;
   const vehicle::TrailerAlone trailer = vehicle::trailer_alone(vehicle);
   if (trailer.most_angle >= std::numbers::pi / 2) return of_tractor;

@@ -73,6 +73,7 @@ TEST(Nonsense, TablesThatAreNotThereAreRefused) {
     EXPECT_EQ(place_of_error([&] { (void)thesis_table(number); }), "number");
   }
   EXPECT_EQ(place_of_error([&] { (void)embedded_rig_table({}); }), "vehicle.trailers");
+  EXPECT_EQ(place_of_error([&] { (void)rig_length_bound({}, {}, {}); }), "vehicle.trailers");
   Vehicle rig;
   rig.trailer.emplace();
   const RigTable table = embedded_rig_table(rig);
