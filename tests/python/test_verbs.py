@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026, the Vändplan authors
-"""Every public function and method of C++ is in Python, or docs/python.md says why it is not."""
+"""Every public function and method of C++ is in Python, or bindings/python/README.md says why."""
 
 import functools
 import re
@@ -84,7 +84,7 @@ def scope_of(head):
 
 def rows(title="## Which functions of C++ are here"):
     """Header or class, verbs that are in Python (with their names there), verbs that are not."""
-    page = (REPOSITORY / "docs" / "python.md").read_text("utf-8")
+    page = (REPOSITORY / "bindings" / "python" / "README.md").read_text("utf-8")
     section = page.split(title)[1].split("\n## ")[0]
     for line in section.splitlines():
         cells = [cell.strip() for cell in line.strip("|").split("|")]
