@@ -3,6 +3,7 @@
 #pragma once
 // Is a number that a caller gave within its range?
 
+#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -17,6 +18,11 @@ inline void require(bool holds, std::string_view where, double value, std::strin
   if (holds) return;
   throw InputError(std::string(where),
                    "is " + shortest_text(value) + ", expected " + std::string(expected));
+}
+
+/// Throws an InputError that names "radius", unless it is a finite number above 0.
+inline void require_radius(double radius) {
+  require(radius > 0.0 && std::isfinite(radius), "radius", radius, "more than 0 m");
 }
 
 }  // namespace vandplan::base

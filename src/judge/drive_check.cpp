@@ -11,6 +11,7 @@
 
 #include "judge/ground.h"
 #include "judge/meetings.h"
+#include "judge/speed_knots.h"
 #include "judge/text.h"
 #include "judge/track.h"
 #include "judge/trailing.h"
@@ -18,28 +19,25 @@
 namespace vandplan {
 namespace {
 
+using judge::after_knot;
+using judge::distance_slack;
+using judge::DriveFault;
 using judge::Driver;
 using judge::Moment;
 using judge::Place;
+using judge::Reached;
 using judge::Real;
+using judge::speed_slack;
 using judge::Stretch;
 using judge::text;
+using judge::time_slack;
 using judge::Track;
 using judge::Trailing;
 
-constexpr Real time_slack = 1e-6;      // tolerance of times [s]
-constexpr Real distance_slack = 1e-6;  // tolerance of distances [m]
-constexpr Real speed_slack = 1e-6;     // tolerance of speeds [m/s]
 constexpr Real limit_slack = 1e-6;     // relative tolerance of the vehicle's limits
 constexpr Real look_step = 1e-2;       // distance between two checks of the limits [m]
 constexpr Real steering_slack = 1e-6;  // steering jumps up to this are rounding [rad]
 constexpr Real least_motion = 1e-9;    // shorter stretches are not driven [m]
-
-struct DriveFault {
-  std::string reason;
-  std::optional<Real> t;
-  std::optional<Place> place;
-};
 
 /// Place after `s` metres of the track; where two stretches meet, the later one.
 Place place_at(const Track& track, Real s) {
@@ -47,73 +45,6 @@ Place place_at(const Track& track, Real s) {
   const auto i =
       static_cast<std::size_t>(std::max<std::ptrdiff_t>(later - track.stretches.begin() - 1, 0));
   return {i, std::clamp<Real>(s - track.stretches[i].s, 0, track.stretches[i].length)};
-}
-
-/// State of the motion after a knot: place [m], speed [m/s], acceleration [m/s^2].
-struct Reached {
-  Real s, v, a;
-};
-
-Reached after_knot(const SpeedKnot& knot, Real d) {
-  return {knot.s + d * (knot.v + d * (knot.a / Real{2} + d * knot.jerk / 6)),
-          knot.v + d * (knot.a + d * knot.jerk / 2), knot.a + d * knot.jerk};
-}
-
-bool is_finite(const SpeedKnot& knot) {
-  return std::isfinite(knot.t) && std::isfinite(knot.s) && std::isfinite(knot.v) &&
-         std::isfinite(knot.a) && std::isfinite(knot.jerk);
-}
-
-DriveFault knot_fault(std::size_t i, const std::string& what) {
-  return {"knots[" + std::to_string(i) + "] " + what, {}, {}};
-}
-
-/// First fault of the knots: their speeds and distances must agree, and cover the path exactly.
-std::optional<DriveFault> false_knots(const SpeedProfile& speeds, Real length, Real start_speed) {
-  const std::vector<SpeedKnot>& knots = speeds.knots;
-  if (knots.empty()) return DriveFault{"the drive has no knots", {}, {}};
-  for (std::size_t i = 0; i < knots.size(); ++i) {
-    if (!is_finite(knots[i])) return knot_fault(i, "is not finite");
-  }
-  const SpeedKnot& first = knots.front();
-  const SpeedKnot& last = knots.back();
-  if (first.t != 0 || std::abs(first.s) > distance_slack) {
-    return DriveFault{"the drive does not begin at the start at 0 s", {}, {}};
-  }
-  if (start_speed == 0 && (first.v > speed_slack || last.v > speed_slack)) {
-    return DriveFault{"the vehicle does not stand at both ends of the drive", {}, {}};
-  }
-  if (std::abs(first.v - start_speed) > speed_slack) {
-    return DriveFault{text("the drive begins at %.6g m/s, the vehicle comes at %.6g m/s", first.v,
-                           static_cast<double>(start_speed)),
-                      {},
-                      {}};
-  }
-  if (last.v > speed_slack) {
-    return DriveFault{"the vehicle does not stand at the end of the drive", {}, {}};
-  }
-  if (std::abs(last.s - length) > distance_slack) {
-    return DriveFault{text("the drive ends after %.9g m, the path is %.9g m long", last.s,
-                           static_cast<double>(length)),
-                      {},
-                      {}};
-  }
-  if (std::abs(last.t - speeds.duration) > time_slack) {
-    return DriveFault{
-        text("the last knot is at %.9g s, the stated duration is %.9g s", last.t, speeds.duration),
-        {},
-        {}};
-  }
-  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
-    const Real lasts = static_cast<Real>(knots[i + 1].t) - knots[i].t;
-    if (lasts < 0) return knot_fault(i + 1, "is earlier than the one before");
-    const Reached end = after_knot(knots[i], lasts);
-    if (std::abs(end.s - knots[i + 1].s) > distance_slack ||
-        std::abs(end.v - knots[i + 1].v) > speed_slack) {
-      return knot_fault(i + 1, "does not follow from the one before");
-    }
-  }
-  return std::nullopt;
 }
 
 /// Checks the limits of a vehicle at single moments.
@@ -378,8 +309,11 @@ DriveCheck check_drive(const Problem& problem, const TimedPath& drive, const Dri
   const SpeedProfile& speeds = drive.speeds;
   const Track track = track_of(*problem.world(), drive.path);
   DriveCheck check{.duration = speeds.duration};
-  std::optional<DriveFault> fault = false_knots(speeds, track.length, claims.start_speed);
+  std::optional<DriveFault> fault = judge::false_knots(speeds, track.length, claims.start_speed);
   if (!fault) fault = broken_limit(speeds, track, task.vehicle);
+  if (!fault && task.vehicle.limits.max_jerk) {
+    fault = judge::acceleration_jump(speeds, claims.start_speed);
+  }
   if (!fault) fault = rushed_stop(speeds, track, task);
   if (!fault) fault = company_fault(task, speeds, track, claims, check);
   return verdict(std::move(check), fault, *problem.world(), track);

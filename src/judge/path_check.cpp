@@ -93,7 +93,7 @@ std::optional<Fault> too_tight(const Track& track, double radius) {
       if (std::abs(curvature) <= limit) continue;
       return Fault{text("curvature %.10g is tighter than the turning radius of %.10g m allows",
                         static_cast<double>(curvature), radius),
-                   Place{i, t}, Hit{HitKind::bounds}};
+                   Place{i, t}};
     }
   }
   return std::nullopt;

@@ -116,7 +116,7 @@ void for_each_word(const MeanFrame& frame, Take take) {
 }  // namespace
 
 Piece dubins(const Pose& from, const Pose& to, double radius) {
-  base::require(radius > 0.0, "radius", radius, "more than 0 m");
+  base::require_radius(radius);
   const MeanFrame frame = mean_frame(from, to, radius);
   std::optional<DubinsWord> best;
   double least = 0.0;
@@ -134,7 +134,7 @@ double dubins_length(const Pose& from, const Pose& to, double radius) {
 }
 
 std::vector<Piece> dubins_words(const Pose& from, const Pose& to, double radius) {
-  base::require(radius > 0.0, "radius", radius, "more than 0 m");
+  base::require_radius(radius);
   std::vector<Piece> words;
   for_each_word(mean_frame(from, to, radius),
                 [&](const DubinsWord& word) { words.push_back(piece_of(word, radius)); });

@@ -45,12 +45,12 @@ std::span<const double> numbers(std::span<const Pose> poses) {
 }  // namespace
 
 double reeds_shepp_length(const Pose& from, const Pose& to, double radius) {
-  base::require(radius > 0.0, "radius", radius, "more than 0 m");
+  base::require_radius(radius);
   return shortest(folded(mean_frame(from, to, radius))).arcs.length * radius;
 }
 
 Piece reeds_shepp(const Pose& from, const Pose& to, double radius) {
-  base::require(radius > 0.0, "radius", radius, "more than 0 m");
+  base::require_radius(radius);
   const MeanFrame frame = mean_frame(from, to, radius);
   const auto [formula, arcs] = shortest(folded(frame));
   return piece_of(formula, without_noise(formula, arcs), unfolding(frame), radius);
@@ -58,7 +58,7 @@ Piece reeds_shepp(const Pose& from, const Pose& to, double radius) {
 
 void reeds_shepp_lengths(const PoseColumns& nodes, const Pose& sample, double radius,
                          std::span<float> out) {
-  base::require(radius > 0.0, "radius", radius, "more than 0 m");
+  base::require_radius(radius);
   geometry::expect_columns(nodes, out.size());
   const simd::LengthSample to{static_cast<float>(sample.x), static_cast<float>(sample.y),
                               static_cast<float>(wrap_angle(sample.heading))};
@@ -67,7 +67,7 @@ void reeds_shepp_lengths(const PoseColumns& nodes, const Pose& sample, double ra
 
 void reeds_shepp_lengths(std::span<const Pose> from, std::span<const Pose> to, double radius,
                          std::span<double> out) {
-  base::require(radius > 0.0, "radius", radius, "more than 0 m");
+  base::require_radius(radius);
   for (const auto& [where, size] : {std::pair("from", from.size()), std::pair("to", to.size())}) {
     if (size == 1 || size == out.size()) continue;
     throw InputError(where, "has " + std::to_string(size) + " poses, expected one or " +

@@ -14,7 +14,7 @@ namespace vandplan {
 using simd::bound_entries;
 
 LengthBounds length_bounds(const Pose& from, const Pose& to, double radius) {
-  base::require(radius > 0.0, "radius", radius, "more than 0 m");
+  base::require_radius(radius);
   // The difference is taken in double, so that poses may be far from the origin.
   const auto [low, high] = simd::length_bounds(
       bound_entries, static_cast<float>(from.x - to.x), static_cast<float>(from.y - to.y),
@@ -25,7 +25,7 @@ LengthBounds length_bounds(const Pose& from, const Pose& to, double radius) {
 
 void length_bounds(const PoseColumns& nodes, const Pose& sample, double radius,
                    std::span<float> low, std::span<float> high) {
-  base::require(radius > 0.0, "radius", radius, "more than 0 m");
+  base::require_radius(radius);
   geometry::expect_columns(nodes, low.size());
   geometry::expect_columns(nodes, high.size());
   const simd::BoundSample to{static_cast<float>(sample.x), static_cast<float>(sample.y),

@@ -135,7 +135,7 @@ Pose HeuristicTable::sample_of(const GridPoint& point) const noexcept {
 }
 
 double HeuristicTable::distance(const Pose& node, const Pose& sample, double radius) const {
-  base::require(radius > 0.0, "radius", radius, "more than 0 m");
+  base::require_radius(radius);
   // The difference is taken in double, so that poses may be far from the origin.
   return static_cast<double>(simd::table_distance(
       view_of(*this, radius), static_cast<float>(node.x - sample.x),
@@ -145,7 +145,7 @@ double HeuristicTable::distance(const Pose& node, const Pose& sample, double rad
 
 void HeuristicTable::distances(const PoseColumns& nodes, const Pose& sample, double radius,
                                std::span<float> out) const {
-  base::require(radius > 0.0, "radius", radius, "more than 0 m");
+  base::require_radius(radius);
   geometry::expect_columns(nodes, out.size());
   const simd::TableSample to{static_cast<float>(sample.x), static_cast<float>(sample.y),
                              static_cast<float>(wrap_angle(sample.heading))};

@@ -279,12 +279,18 @@ class Search {
   std::array<std::int32_t, batch> node_;
 };
 
+void expect_finite(const char* name, const Pose& pose) {
+  if (!std::isfinite(pose.x) || !std::isfinite(pose.y) || !std::isfinite(pose.heading)) {
+    throw InputError(name, "is not finite");
+  }
+}
+
 }  // namespace
 
 struct NearestNodes::Grid : Nodes {};
 
 NearestNodes::NearestNodes(double radius) : grid_(std::make_unique<Grid>(Grid{{{}, radius}})) {
-  base::require(radius > 0.0 && std::isfinite(radius), "radius", radius, "more than 0 m");
+  base::require_radius(radius);
 }
 NearestNodes::~NearestNodes() = default;
 NearestNodes::NearestNodes(const NearestNodes& other)
@@ -296,9 +302,7 @@ NearestNodes::NearestNodes(NearestNodes&& other) noexcept = default;
 NearestNodes& NearestNodes::operator=(NearestNodes&& other) noexcept = default;
 
 void NearestNodes::add(const Pose& pose) {
-  if (!std::isfinite(pose.x) || !std::isfinite(pose.y) || !std::isfinite(pose.heading)) {
-    throw InputError("pose", "is not finite");
-  }
+  expect_finite("pose", pose);
   grid_->add(pose);
 }
 
@@ -310,6 +314,7 @@ void NearestNodes::remove(std::int32_t node) {
 std::size_t NearestNodes::size() const noexcept { return grid_->count; }
 
 std::optional<NearestNode> NearestNodes::nearest(const Pose& sample) const {
+  expect_finite("sample", sample);
   if (grid_->count == 0) return std::nullopt;
   One kept(*grid_, sample);
   Search(*grid_, sample, kept).run();
@@ -317,6 +322,7 @@ std::optional<NearestNode> NearestNodes::nearest(const Pose& sample) const {
 }
 
 std::vector<NearNode> NearestNodes::nearest(const Pose& sample, const NearWanted& wanted) const {
+  expect_finite("sample", sample);
   if (grid_->count == 0 || wanted.count == 0) return {};
   Several kept(*grid_, sample, wanted);
   Search(*grid_, sample, kept).run();
@@ -325,6 +331,7 @@ std::vector<NearNode> NearestNodes::nearest(const Pose& sample, const NearWanted
 
 std::vector<std::int32_t> NearestNodes::nearest_in_any_order(const Pose& sample,
                                                              const NearWanted& wanted) const {
+  expect_finite("sample", sample);
   if (grid_->count == 0 || wanted.count == 0) return {};
   Several kept(*grid_, sample, wanted);
   Search(*grid_, sample, kept).run();

@@ -234,6 +234,17 @@ TEST(DriveCheck, EveryLimitIsHeld) {
             "the lateral acceleration is");
 }
 
+TEST(DriveCheck, TheAccelerationJumpsNowhereIfTheJerkIsLimited) {
+  const Path path{{0, 0, 0}, {{0, 40}}};
+  Vehicle smooth;
+  smooth.limits.max_jerk = 5;
+  const Problem problem = problem_of_path({.bounds = wide_bounds}, path, smooth);
+  EXPECT_TRUE(check_drive(problem, {path, speed_profile(path, smooth)}).valid);
+  const TimedPath jumping{path, speed_profile(path, {})};  // its knots have no jerk
+  EXPECT_EQ(check_drive(problem, jumping).reason,
+            "the acceleration jumps from 0 to 1, the jerk is limited");
+}
+
 TEST(DriveCheck, LimitsAreHeldWithinWhatIsDrivenAtOneSpeed) {
   Vehicle gentle;
   gentle.limits.max_lateral_acceleration = 0.5;

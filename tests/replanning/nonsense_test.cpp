@@ -40,7 +40,7 @@ Problem problem_on_open_ground() {
 
 TEST(Nonsense, LengthsOfNoTurningRadiusAreRefused) {
   const HeuristicTable table = thesis_table(1);
-  for (const double radius : {-7.0, 0.0, nan}) {
+  for (const double radius : {-7.0, 0.0, nan, infinity}) {
     EXPECT_EQ(place_of_error([&] { (void)reeds_shepp({}, there, radius); }), "radius");
     EXPECT_EQ(place_of_error([&] { (void)reeds_shepp_length({}, there, radius); }), "radius");
     EXPECT_EQ(place_of_error([&] { (void)reeds_shepp_words({}, there, radius); }), "radius");
@@ -86,6 +86,12 @@ TEST(Nonsense, NodesThatCannotBeAreRefused) {
   EXPECT_EQ(place_of_error([&] { nodes.add({0, infinity, 0}); }), "pose");
   EXPECT_EQ(nodes.size(), 0U);
   nodes.add({});
+  EXPECT_EQ(place_of_error([&] { (void)nodes.nearest({nan, 0, 0}); }), "sample");
+  EXPECT_EQ(place_of_error([&] { (void)nodes.nearest({0, 0, nan}, {.count = 2}); }), "sample");
+  EXPECT_EQ(place_of_error([&] {
+              (void)nodes.nearest_in_any_order({0, infinity, 0}, {.count = 2});
+            }),
+            "sample");
   nodes.remove(0);
   for (const std::int32_t node : {-1, 0, 1}) {
     EXPECT_EQ(place_of_error([&] { nodes.remove(node); }), "node") << node;
@@ -174,6 +180,14 @@ TEST(Nonsense, TheJudgePassesNothingThatItCannotSee) {
     EXPECT_FALSE(check_drive(problem, drive, {.margin = margin}).valid);
   }
   EXPECT_FALSE(check_company(problem, {straight, {}}).valid);
+  ASSERT_TRUE(check_drive(problem, drive).valid);
+  EXPECT_FALSE(check_drive(problem, drive, {.start_speed = nan}).valid);
+  TimedPath endless_drive = drive;
+  endless_drive.speeds.duration = nan;
+  EXPECT_FALSE(check_drive(problem, endless_drive).valid);
+  TimedPath stopping = drive;
+  stopping.speeds.stops = {{.t = 1, .s = 1, .pause = nan}};
+  EXPECT_EQ(check_drive(problem, stopping).reason, "stops[0] is not finite");
 }
 
 TEST(Nonsense, AProblemThatNobodyMadeIsNotDriven) {
