@@ -222,28 +222,25 @@ int run(const CheckArguments& arguments) {
 }  // namespace
 
 void add_check(CLI::App& vandplan, int& status) {
-  CLI::App* const command = vandplan.add_subcommand(
-      "check",
-      "Let the independent judge look at a result: start, goal, curvature, bounds,\n"
-      "collisions, and whatever the file states: length, gear changes, cost, gap, poses,\n"
-      "furthest goal. Many results (plan --poses) are judged line by line.");
+  CLI::App* const command =
+      vandplan.add_subcommand("check", "Check the paths of a result with the independent judge.");
   command->footer(
-      "Exit status: 0 valid (in a row or of many: one at least, and none is invalid), 1 invalid\n"
-      "or no path, 2 bad input or usage.");
+      "Exit status: 0 valid (many paths: at least one valid, none invalid), 1 invalid or no path,\n"
+      "2 bad input.");
   const auto arguments = std::make_shared<CheckArguments>();
   add_scenario_and_result(*command, arguments->scenario, arguments->result);
-  CLI::Option* const metrics = command->add_flag(
-      "--metrics", arguments->metrics,
-      "Also what the path is like to drive: share in reverse, turning, curvature changes, time");
-  command->add_option("--speed", arguments->style.speed, "It is driven at [m/s]; > 0")
+  CLI::Option* const metrics =
+      command->add_flag("--metrics", arguments->metrics,
+                        "Measure the path: share in reverse, turning, curvature changes, time");
+  command->add_option("--speed", arguments->style.speed, "Speed for that time [m/s]; > 0")
       ->type_name("M/S")
       ->needs(metrics)
       ->capture_default_str();
-  command->add_option("--pause", arguments->style.pause, "Each gear change takes [s]; >= 0")
+  command->add_option("--pause", arguments->style.pause, "Time per gear change [s]; >= 0")
       ->type_name("S")
       ->needs(metrics)
       ->capture_default_str();
-  command->add_flag("--json", arguments->json, "Print one JSON object instead of a summary");
+  command->add_flag("--json", arguments->json, "Print JSON");
   command->callback([arguments, &status] { status = run(*arguments); });
 }
 

@@ -49,11 +49,13 @@ Choice chosen_pair(const ScenarioProblems& read, ResultReader& reader, std::size
 Choice chosen(const ScenarioProblems& read, const PathArguments& arguments) {
   ResultReader reader(arguments.result, read.file);
   if (reader.has_pairs()) {
-    if (arguments.goal) throw InputError("--goal", "the results are for pairs: --pair N");
-    if (!arguments.pair) throw InputError(arguments.result, "holds many results: --pair N");
+    if (arguments.goal) throw InputError("--goal", "the results are for pairs, expected --pair N");
+    if (!arguments.pair)
+      throw InputError(arguments.result, "holds many results, expected --pair N");
     return chosen_pair(read, reader, *arguments.pair);
   }
-  if (arguments.pair) throw InputError("--pair", "the result is one, not many with numbers");
+  if (arguments.pair)
+    throw InputError("--pair", "is for files with many results, this one holds one");
   if (arguments.goal && !read.file.is_row()) {
     throw InputError("--goal", "the scenario has one goal, not a row of them");
   }
@@ -68,7 +70,7 @@ Choice chosen(const ScenarioProblems& read, const PathArguments& arguments) {
 
 void expect_drive_output(const std::string& output, const FileKind& kind, bool json) {
   if (json && output == "-") {
-    throw InputError("--json", "and --output - both print, expected one of them");
+    throw InputError("--json", "does not go with --output -, both would print");
   }
   expect_ending(output, kind);
   expect_writable(output);
@@ -77,11 +79,9 @@ void expect_drive_output(const std::string& output, const FileKind& kind, bool j
 void add_choice(CLI::App& command, PathArguments& arguments) {
   command
       .add_option("--goal", arguments.goal,
-                  "In a row of goals the one of this number, from 0; unless given the furthest\n"
-                  "that has a path")
+                  "Goal of a row, from 0; default: the furthest with a path")
       ->type_name("N");
-  command.add_option("--pair", arguments.pair, "Of many results the one of this number, from 1")
-      ->type_name("N");
+  command.add_option("--pair", arguments.pair, "Pair of many results, from 1")->type_name("N");
 }
 
 Choice chosen_path(const PathArguments& arguments) {

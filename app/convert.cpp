@@ -31,7 +31,7 @@ struct ConvertArguments {
 /// Writes the map of a scenario beside it: yard.yaml has yard.map.yaml and yard.map.pgm.
 void write_map(Scenario& scenario, const std::string& output) {
   if (output == "-")
-    throw InputError("--output", "is -, expected a file: the map is put beside it");
+    throw InputError("--output", "is -, expected a file, because the map is written beside it");
   const std::filesystem::path place = output;
   const std::string stem = place.stem().string() + ".map";
   scenario.map_file = stem + ".yaml";
@@ -66,40 +66,35 @@ void write(Scenario scenario, const ConvertArguments& arguments,
 
 /// What all formats have.
 void add_output(CLI::App& format, const std::shared_ptr<ConvertArguments>& arguments) {
-  format.add_option("-o,--output", arguments->output, "Scenario file (YAML)")
+  format.add_option("-o,--output", arguments->output, "Scenario (YAML)")
       ->type_name("FILE")
       ->required();
-  format.add_flag("--json", arguments->json, "Print one JSON object instead of a summary");
+  format.add_flag("--json", arguments->json, "Print JSON");
 }
 
-std::string catalogue() { return fmt::format("{}", fmt::join(vehicle_names(), ", ")); }
-
 void add_vehicle(CLI::App& format, std::string& vehicle) {
-  const std::string names = catalogue();
-  format.add_option("--vehicle", vehicle, "Who drives: " + names)
+  format.add_option("--vehicle", vehicle, "Vehicle of the catalogue")
       ->type_name("NAME")
       ->capture_default_str();
 }
 
 void add_tpcap(CLI::App& convert) {
-  CLI::App* const tpcap = convert.add_subcommand(
-      "tpcap", "A case of the Trajectory Planning Competition for Automated Parking 2022.");
+  CLI::App* const tpcap =
+      convert.add_subcommand("tpcap", "Convert a case of the parking competition TPCAP 2022.");
   const auto arguments = std::make_shared<ConvertArguments>();
-  tpcap->add_option("CASE", arguments->input, "Case file (CSV)")->required();
+  tpcap->add_option("CASE", arguments->input, "Case (CSV)")->required();
   add_output(*tpcap, arguments);
   tpcap->callback([arguments] { write(read_tpcap(arguments->input), *arguments); });
 }
 
 void add_movingai(CLI::App& convert) {
-  CLI::App* const movingai = convert.add_subcommand(
-      "movingai",
-      "A problem on a map of the MovingAI benchmarks. It has no headings: both are the direction\n"
-      "from start to goal. The map is put beside the scenario (.map.yaml, .map.pgm).");
+  CLI::App* const movingai =
+      convert.add_subcommand("movingai", "Convert a problem of the MovingAI benchmarks.");
   const auto arguments = std::make_shared<ConvertArguments>();
   MovingAiProblem& problem = arguments->movingai;
-  movingai->add_option("MAP", problem.map, "Map file (.map)")->required();
-  movingai->add_option("SCEN", problem.problems, "Problem file (.scen)")->required();
-  movingai->add_option("--number", problem.number, "Which problem of the file, from 1")
+  movingai->add_option("MAP", problem.map, "Map (.map)")->required();
+  movingai->add_option("SCEN", problem.problems, "Problems (.scen)")->required();
+  movingai->add_option("--number", problem.number, "Number of the problem, from 1")
       ->type_name("N")
       ->capture_default_str();
   movingai->add_option("--resolution", problem.resolution, "Side of a cell [m]")
@@ -112,10 +107,9 @@ void add_movingai(CLI::App& convert) {
 
 void add_dynobench(CLI::App& convert) {
   CLI::App* const dynobench = convert.add_subcommand(
-      "dynobench",
-      "A problem in the manner of dynobench: one car among boxes, with a trailer or without.");
+      "dynobench", "Convert a dynobench problem of one car, with or without a trailer.");
   const auto arguments = std::make_shared<ConvertArguments>();
-  dynobench->add_option("PROBLEM", arguments->input, "Problem file (YAML)")->required();
+  dynobench->add_option("PROBLEM", arguments->input, "Problem (YAML)")->required();
   add_vehicle(*dynobench, arguments->vehicle);
   add_output(*dynobench, arguments);
   dynobench->callback(
@@ -169,29 +163,26 @@ void convert_geojson(GeoJsonArguments& arguments) {
 }
 
 void add_geojson(CLI::App& convert) {
-  CLI::App* const geojson = convert.add_subcommand(
-      "geojson",
-      "A site in GeoJSON, drawn in QGIS or taken from OpenStreetMap. Obstacles, kerbs, bounds,\n"
-      "start and goal are told by the property kind, else by the tags barrier and building.\n"
-      "Longitudes and latitudes become metres in a plane that touches the Earth at the start.");
+  CLI::App* const geojson =
+      convert.add_subcommand("geojson", "Convert a site in GeoJSON, from QGIS or OpenStreetMap.");
   const auto arguments = std::make_shared<GeoJsonArguments>();
   GeoJsonSite& site = arguments->site;
-  geojson->add_option("SITE", site.file, "Site file (GeoJSON), - is standard input")->required();
+  geojson->add_option("SITE", site.file, "Site (GeoJSON); - is standard input")->required();
   geojson->add_flag("--metres", site.is_in_metres,
-                    "The coordinates are metres, whatever the file says");
+                    "Coordinates are metres, whatever the file says");
   geojson
       ->add_option("--start", arguments->start,
-                   "Instead of the Point of that kind; X, Y as the file counts them, HEADING [rad]")
+                   "Start in coordinates of the file, HEADING [rad]; default: of the file")
       ->type_name("X,Y,HEADING");
-  geojson->add_option("--goal", arguments->goal, "Likewise")->type_name("X,Y,HEADING");
+  geojson->add_option("--goal", arguments->goal, "Goal, likewise")->type_name("X,Y,HEADING");
   geojson
       ->add_option("--width", site.default_width,
-                   "Of lines and points that do not say theirs [m]; 0.001 to 1000")
+                   "Width of lines and points without their own [m]; 0.001 to 1000")
       ->type_name("M")
       ->capture_default_str();
   geojson
       ->add_option("--vehicle", arguments->general.vehicle,
-                   "Who drives: a vehicle file (.yaml), or one of " + catalogue())
+                   "Vehicle of the catalogue, or file (.yaml)")
       ->type_name("NAME")
       ->capture_default_str();
   add_output(*geojson, std::shared_ptr<ConvertArguments>(arguments, &arguments->general));
@@ -226,8 +217,8 @@ void convert_footprint(const FootprintArguments& arguments) {
     return;
   }
   if (!made.vehicle.outline.empty()) {
-    fmt::print("the footprint as the outline of a vehicle, {} corners, written to {}\n",
-               made.vehicle.outline.size(), printable(arguments.output));
+    fmt::print("outline with {} corners, written to {}\n", made.vehicle.outline.size(),
+               printable(arguments.output));
     return;
   }
   const Footprint rectangle = footprint(made.vehicle);
@@ -237,20 +228,17 @@ void convert_footprint(const FootprintArguments& arguments) {
   fmt::print("  added: {:.4f} m2, {:.1f} % of the footprint\n", made.added_area,
              100 * made.added_area / made.footprint_area);
   if (made.added_width > 0) {
-    fmt::print("  of it {:.3f} m of width, as it reaches equally far to both sides\n",
+    fmt::print("  of this {:.3f} m of width, because the rectangle is symmetric\n",
                made.added_width);
   }
 }
 
 void add_footprint(CLI::App& convert) {
-  CLI::App* const command = convert.add_subcommand(
-      "footprint",
-      "The footprint polygon of a robot of Nav2 becomes a vehicle file: its outline if it is "
-      "convex,\n"
-      "else a rectangle around it. What a polygon does not say is given beside it.");
+  CLI::App* const command =
+      convert.add_subcommand("footprint", "Convert the footprint of a Nav2 robot into a vehicle.");
   const auto arguments = std::make_shared<FootprintArguments>();
   FootprintFile& file = arguments->footprint;
-  command->add_option("FILE", file.file, "Parameters of Nav2, or a list of corners (YAML)")
+  command->add_option("FILE", file.file, "Parameters of Nav2, or list of corners (YAML)")
       ->required();
   command->add_option("--wheelbase", file.wheelbase, "Rear axle to front axle [m]")
       ->type_name("M")
@@ -258,23 +246,22 @@ void add_footprint(CLI::App& convert) {
   CLI::Option* const radius =
       command
           ->add_option("--min-turning-radius", arguments->min_turning_radius,
-                       "Of the midpoint of the rear axle [m]")
+                       "Turning radius of the rear-axle midpoint [m]")
           ->type_name("M");
   command
       ->add_option("--max-steering-angle", arguments->max_steering_angle,
-                   "In place of the radius: of the front wheel of a bicycle [rad]")
+                   "Alternative: steering angle of the bicycle model [rad]")
       ->type_name("RAD")
       ->excludes(radius);
-  command
-      ->add_option("--rear-axle", file.rear_axle,
-                   "x of the rear axle in the frame of the footprint [m]")
+  command->add_option("--rear-axle", file.rear_axle, "x of the rear axle in the footprint [m]")
       ->type_name("M")
       ->capture_default_str();
-  command->add_flag("--rectangle", file.rectangle, "Put a rectangle around any footprint");
-  command->add_option("-o,--output", arguments->output, "Vehicle file (YAML)")
+  command->add_flag("--rectangle", file.rectangle,
+                    "Use a rectangle, also if the footprint is convex");
+  command->add_option("-o,--output", arguments->output, "Vehicle (YAML)")
       ->type_name("FILE")
       ->required();
-  command->add_flag("--json", arguments->json, "Print one JSON object instead of a summary");
+  command->add_flag("--json", arguments->json, "Print JSON");
   command->callback([arguments] { convert_footprint(*arguments); });
 }
 
@@ -282,7 +269,7 @@ void add_footprint(CLI::App& convert) {
 
 void add_convert(CLI::App& vandplan, int&) {
   CLI::App* const convert =
-      vandplan.add_subcommand("convert", "Make scenarios of other people's problems.");
+      vandplan.add_subcommand("convert", "Convert other formats into scenarios or vehicles.");
   convert->require_subcommand(0, 1);
   convert->callback([convert] {
     if (!convert->get_subcommands().empty()) return;

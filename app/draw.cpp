@@ -23,7 +23,7 @@ struct DrawArguments {
   bool json = false;
 };
 
-/// Draws, and says how much of a file with many pairs was drawn: "48 pairs, there are more".
+/// Draws, and says how much of a file with many pairs was drawn: "48 pairs (others: --pair N)".
 std::string drawn(const DrawArguments& arguments, const ScenarioFile& scenario) {
   const PictureWish wish{arguments.output, arguments.curvature_strip, arguments.plays};
   if (!arguments.result) {
@@ -32,13 +32,14 @@ std::string drawn(const DrawArguments& arguments, const ScenarioFile& scenario) 
   }
   ResultReader reader(*arguments.result, scenario);
   if (!reader.has_pairs()) {
-    if (arguments.pair) throw InputError("--pair", "the result is one, not many with numbers");
+    if (arguments.pair)
+      throw InputError("--pair", "is for files with many results, this one holds one");
     write_picture(wish, scenario, reader.all());
     return "";
   }
   const DrawnPairs pairs = write_picture(wish, scenario, reader, arguments.pair);
   if (arguments.pair) return fmt::format("pair {}", *arguments.pair);
-  return fmt::format("{} pairs{}", pairs.drawn, pairs.is_all ? "" : ", there are more: --pair N");
+  return fmt::format("{} pairs{}", pairs.drawn, pairs.is_all ? "" : " (others: --pair N)");
 }
 
 void run(const DrawArguments& arguments) {
@@ -60,16 +61,14 @@ void run(const DrawArguments& arguments) {
 }  // namespace
 
 void add_draw(CLI::App& vandplan, int&) {
-  CLI::App* const command = vandplan.add_subcommand(
-      "draw",
-      "Draw a scenario: obstacles, start and goal. With a result also the footprints\n"
-      "along its path, and its tree if it holds one (plan --set keep_tree=true). Many results\n"
-      "(plan --poses) become a sheet of pictures.");
+  CLI::App* const command = vandplan.add_subcommand("draw", "Draw a scenario, or a result.");
+  command->footer(
+      "A result adds the footprints along its path, and the search tree if it was kept\n"
+      "(plan --set keep_tree=true). Many results (plan --poses) become a sheet of pictures.");
   const auto arguments = std::make_shared<DrawArguments>();
   add_scenario(*command, arguments->scenario);
-  command->add_option("RESULT", arguments->result, "Result file (JSON, JSON Lines or binary)");
-  command
-      ->add_option("--pair", arguments->pair, "Of many results draw the one of this number, from 1")
+  command->add_option("RESULT", arguments->result, "Result (JSON, JSON Lines or binary)");
+  command->add_option("--pair", arguments->pair, "Draw only this pair, from 1")
       ->type_name("N")
       ->needs("RESULT");
   command->add_option("-o,--output", arguments->output, "Picture (.svg, .png or .pdf)")
@@ -77,14 +76,14 @@ void add_draw(CLI::App& vandplan, int&) {
       ->required();
   command
       ->add_flag("--curvature-strip", arguments->curvature_strip,
-                 "Below the picture: how far the wheels are turned along the path")
+                 "Plot the curvature below the picture")
       ->needs("RESULT");
   command
       ->add_flag("--play", arguments->plays,
-                 "A browser plays the picture (.svg): the vehicle drives along the path, and what\n"
-                 "moves moves; in a result without times as fast as the vehicle may")
+                 "Animate the picture (.svg, for browsers); a path without times is\n"
+                 "driven as fast as the vehicle can")
       ->needs("RESULT");
-  command->add_flag("--json", arguments->json, "Print one JSON object instead of a summary");
+  command->add_flag("--json", arguments->json, "Print JSON");
   command->callback([arguments] { run(*arguments); });
 }
 

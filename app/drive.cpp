@@ -256,7 +256,8 @@ void print_summary(const Choice& choice, const DriveArguments& arguments, const 
              metres_text(worst.end_distance), degrees_text(worst.end_heading));
   if (worst.trailer) {
     fmt::print(
-        "  trailer: at most {} beside, RMS {}; at the end {} and {}; folds up at most {} further\n",
+        "  trailer: deviation at most {}, RMS {}; at the end {} and {}; hitch angle at most {} "
+        "beyond the plan\n",
         metres_text(worst.trailer->largest_lateral), metres_text(totals.rms_trailer_lateral()),
         metres_text(worst.trailer->end_distance), degrees_text(worst.trailer->end_heading),
         degrees_text(worst.trailer->hitch_deviation));
@@ -267,8 +268,8 @@ void print_summary(const Choice& choice, const DriveArguments& arguments, const 
   fmt::print("  {}\n", clearance_text(worst.clearance));
   if (totals.contacts > 0 && worst.outline_deviation > choice.record.options.clearance.margin) {
     fmt::print(
-        "  verdict: the path is too near to things to be driven so; plan with --set margin={:.3f} "
-        "or, if that finds no path, with a higher clearance_weight\n",
+        "  verdict: the path is too close to obstacles for this drive; plan with --set "
+        "margin={:.3f} or, if that finds no path, with a higher clearance_weight\n",
         std::ceil(worst.outline_deviation * 1e3) / 1e3);
   }
   if (worst.out_of_bounds > 0.0) {
@@ -276,8 +277,8 @@ void print_summary(const Choice& choice, const DriveArguments& arguments, const 
   }
   if (!has_spare) {
     fmt::print(
-        "  steering: the wheels are turned as far as they go for {}, where no controller can "
-        "correct; try --spare-steering 0.1\n",
+        "  steering: full lock for {}, where no controller can correct; try --spare-steering "
+        "0.1\n",
         metres_text(locked));
   }
   fmt::print("  executable: {}{}\n", executable_text(check),
@@ -346,7 +347,7 @@ int run(DriveArguments& arguments) {
 }
 
 std::string controllers_text() {
-  std::string text = "How it steers; rear-axle-feedback unless given, with a trailer lqr:";
+  std::string text = "Steering controller; default: rear-axle-feedback, with a trailer lqr";
   for (const ControllerInfo& info : controllers()) {
     text += fmt::format("\n{}: {}", info.name, info.summary);
   }
@@ -358,42 +359,35 @@ void add_options(CLI::App& command, DriveArguments& arguments) {
   command.add_option("--controller", options.controller, controllers_text())->type_name("NAME");
   command
       .add_option("--noise", options.noise,
-                  "0 to 10; 1: positions are measured 2 cm, headings and hitch angles 0.2 degrees\n"
-                  "wrong, 50 times a second; all through a drive the wheels are off by 0.2 degrees "
-                  "and 1 %, the\n"
-                  "speed by 1 % (standard deviations)")
+                  "Noise; 1: standard deviations 2 cm and 0.2 degrees (measured poses),\n"
+                  "0.2 degrees and 1 % (wheels), 1 % (speed); 0 to 10")
       ->type_name("X")
       ->capture_default_str();
-  command
-      .add_option("--delay", options.delay,
-                  "From a measurement to what follows from it [s]; 0 to 1")
+  command.add_option("--delay", options.delay, "Delay from measurement to effect [s]; 0 to 1")
       ->type_name("S")
       ->capture_default_str();
   command
       .add_option("--reserve", options.reserve,
-                  "Share of steering rate, acceleration and braking that the planned speeds leave\n"
-                  "for corrections; 0 to 0.5")
+                  "Share of steering rate, acceleration and braking kept for\n"
+                  "corrections; 0 to 0.5")
       ->type_name("SHARE")
       ->capture_default_str();
   command
-      .add_option(
-          "--spare-steering", options.spare_steering,
-          "What the plan leaves to correct with: the wheels can make a curvature larger by\n"
-          "this share than min_turning_radius says, and a rig folds up further by it than\n"
-          "max_hitch_angle says; 0 to 0.5")
+      .add_option("--spare-steering", options.spare_steering,
+                  "Share by which the vehicle can exceed the planned curvature and\n"
+                  "hitch angle; 0 to 0.5")
       ->type_name("SHARE")
       ->capture_default_str();
-  command.add_option("--runs", arguments.runs, "Drives, with the seeds from --seed on")
+  command.add_option("--runs", arguments.runs, "Number of drives, with seeds from --seed on")
       ->type_name("N")
       ->capture_default_str();
-  add_seed(command, options.seed, "Of the noise of the first drive");
+  add_seed(command, options.seed, "Random seed of the first drive");
   command
-      .add_option(
-          "-o,--output", arguments.output,
-          "The drive with the first contact, or else the one furthest from the plan (.csv),\n"
-          "- prints it")
+      .add_option("-o,--output", arguments.output,
+                  "Log of the drive with the earliest contact, else the largest\n"
+                  "deviation (.csv); - prints it")
       ->type_name("FILE");
-  command.add_option("--draw", arguments.picture, "That drive and the plan (.svg, .png or .pdf)")
+  command.add_option("--draw", arguments.picture, "Picture of that drive (.svg, .png or .pdf)")
       ->type_name("FILE");
 }
 
@@ -416,29 +410,23 @@ std::string csv_of(const std::vector<DriveMoment>& log) {
 
 void add_drive(CLI::App& vandplan, int& status) {
   CLI::App* const command = vandplan.add_subcommand(
-      "drive",
-      "Drive the path of a result with a simulated vehicle: wheels, engine and brakes within the\n"
-      "limits of the scenario's vehicle, a controller, delay and noise. All that footprint, "
-      "wheels\n"
-      "and trailer sweep is looked at. The judge sees the path first. With --replan there is no "
-      "result:\n"
-      "the vehicle plans while it drives, among what moves and in what it sees.");
+      "drive", "Simulate a vehicle that drives a path, or plans while it drives.");
   command->footer(
-      "Columns: t [s], s [m], x, y [m], heading [rad], direction (1 or -1), v [m/s],\n"
-      "steering_angle [rad], wanted_steering [rad], wanted_acceleration [m/s^2],\n"
-      "lateral_error [m], heading_error [rad], with a trailer hitch_angle [rad]; every 0.02 s.\n"
-      "Executable: driven by its speeds without looking, standing at start, goal and gear changes\n"
-      "only, it touches nothing and ends within 1 cm and 1 degree; limits relaxed by 0.1 %.\n"
+      "Columns of the log, every 0.02 s: t [s], s, x, y [m], heading [rad], direction (1 or -1),\n"
+      "v [m/s], steering_angle, wanted_steering [rad], wanted_acceleration [m/s^2],\n"
+      "lateral_error [m], heading_error [rad], with a trailer hitch_angle [rad].\n"
+      "Executable: driven without feedback and with stops at start, goal and gear changes only,\n"
+      "the vehicle touches nothing and ends within 1 cm and 1 degree.\n"
       "Exit status: 0 done, 1 no path, an invalid one, a contact or no arrival, 2 bad input.");
   const auto arguments = std::make_shared<DriveArguments>();
   add_scenario(*command, arguments->path.scenario);
-  CLI::Option* const result = command->add_option("RESULT", arguments->path.result,
-                                                  "Result file (JSON, JSON Lines or binary)");
+  CLI::Option* const result =
+      command->add_option("RESULT", arguments->path.result, "Result (JSON, JSON Lines or binary)");
   add_options(*command, *arguments);
   add_live_options(*command, arguments->live, true);
   result->excludes("--replan");
   add_choice(*command, arguments->path);
-  command->add_flag("--json", arguments->json, "Print one JSON object instead of a summary");
+  command->add_flag("--json", arguments->json, "Print JSON");
   command->callback([arguments, &status] { status = run(*arguments); });
 }
 

@@ -74,7 +74,7 @@ std::vector<std::string> scenario_files(const std::string& path) {
   std::ranges::sort(maps);
   if (files.empty()) throw InputError(path, "holds no scenario (*.yaml)");
   for (const std::string& map : maps)
-    say(fmt::format("{}: skipped, a map and no scenario\n", printable(map)));
+    say(fmt::format("{}: skipped, a map, not a scenario\n", printable(map)));
   return files;
 }
 
@@ -131,8 +131,7 @@ Campaign campaign_of(const EvaluateArguments& arguments) {
   }
   for (const auto& [scenario, file] : campaign.scenarios) {
     if (!scenario.options.empty()) {
-      warn(
-          {file + ": options: left out, all scenarios are compared with the same options (--set)"});
+      warn({file + ": options: ignored, all scenarios are compared with the same options (--set)"});
     }
   }
   return campaign;
@@ -167,7 +166,7 @@ void show(const EvaluateArguments& arguments, const Comparison& comparison) {
   }
   fmt::print("{}\nMore: {} (in a browser), {}, {}\n", headline, printable(page), printable(text),
              printable(gallery));
-  if (missing > 0) fmt::print("{} runs are missing; --resume does them.\n", missing);
+  if (missing > 0) fmt::print("{} runs are missing; --resume runs them.\n", missing);
 }
 
 // Without a run: other stores' runs are added, and the report is written.
@@ -216,7 +215,7 @@ int run_part(const EvaluateArguments& arguments) {
   } else {
     fmt::print("Shard {}/{}: {} of {} runs in {}; {}\n", number, of, progress.total - missing,
                progress.total, printable(store),
-               missing > 0 ? "--resume does the rest." : "--merge joins it with the others.");
+               missing > 0 ? "--resume runs the rest." : "--merge joins all shards.");
   }
   return missing == 0 ? exit_status::done : exit_status::failed;
 }
@@ -254,16 +253,15 @@ void add_options_of_runs(CLI::App& command, EvaluateArguments& arguments) {
     };
     command.add_option_function<std::string>(flag, keep, help)->type_name(type);
   };
-  add("--time", "time_limit", "S",
-      "Processor time of a run [s]; 0.1 unless iterations are limited");
-  add("--max-iterations", "max_iterations", "N", "Iterations of a run; reproduces bit for bit");
-  add("--max-nodes", "max_nodes", "N", "Nodes of a search tree; 5000");
+  add("--time", "time_limit", "S", "Processor time per run [s]; 0.1 without --max-iterations");
+  add("--max-iterations", "max_iterations", "N", "Iterations per run (repeats bit for bit)");
+  add("--max-nodes", "max_nodes", "N", "Largest search tree [nodes]; 5000");
   const auto set = [&arguments](const std::vector<std::string>& settings) {
     for (const std::string& setting : settings) arguments.options.push_back(typed_setting(setting));
   };
   command
       .add_option_function<std::vector<std::string>>(
-          "--set", set, "Set any option by its key, for the planners that have it")
+          "--set", set, "Set an option by its key, for planners that have it")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   add_table_flag(command, arguments.table);
@@ -272,70 +270,68 @@ void add_options_of_runs(CLI::App& command, EvaluateArguments& arguments) {
 void add_options_of_output(CLI::App& command, EvaluateArguments& arguments) {
   command
       .add_option("--output", arguments.output,
-                  fmt::format("Folder of the result store and the report [{}]; a shard's own: "
-                              "/shard-I-of-N in it",
+                  fmt::format("Folder of store and report; {}, for a shard its\n"
+                              "subfolder shard-I-of-N",
                               default_output))
       ->type_name("DIR")
       ->take_last();
-  command.add_flag("--resume", arguments.resume, "Do what a store that exists does not hold yet");
+  command.add_flag("--resume", arguments.resume, "Do only the runs that the store lacks");
   command.add_flag("--report-only", arguments.report_only,
-                   "Run nothing, tell of the store's last comparison");
+                   "Run nothing, report the last comparison of the store");
   command
       .add_option("--merge", arguments.merged,
-                  "Run nothing, add the runs of other stores (runs.sqlite); or join all shards of\n"
-                  "a campaign (also: the folders they lie in) into a new store")
+                  "Run nothing, add the runs of other stores (runs.sqlite), or join all\n"
+                  "shards of a campaign (stores or folders) in a new store")
       ->type_name("STORE...");
   command
       .add_option("--export", arguments.exports,
-                  "Write all runs of the store too: runs.csv, runs.json, plannerarena.db (OMPL)")
+                  "Also write all runs: runs.csv, runs.json, plannerarena.db (OMPL)")
       ->delimiter(',')
-      ->check(CLI::IsMember({"csv", "json", "ompl"}))
+      ->check(CLI::IsMember({"csv", "json", "ompl"}).description(""))
       ->type_name("csv|json|ompl");
   const auto set_shard = [&arguments](const std::string& text) {
     arguments.shard = shard_in(text);
   };
   command
       .add_option_function<std::string>(
-          "--shard", set_shard,
-          "Run part I (1 to N) of the campaign alone, into a store of its own; no report")
+          "--shard", set_shard, "Do only part I of N, in a store of its own, without a report")
       ->type_name("I/N")
       ->excludes("--merge", "--report-only", "--export");
-  command.add_flag("--json", arguments.json, "Print one JSON object instead of a summary");
+  command.add_flag("--json", arguments.json, "Print JSON");
 }
 
 void add_options_of_campaign(CLI::App& command, EvaluateArguments& arguments) {
-  command.add_option("--scenarios", arguments.scenarios, "Scenario files, or folders of them")
+  command.add_option("--scenarios", arguments.scenarios, "Scenario files or folders")
       ->type_name("PATH")
       ->capture_default_str();
   command
-      .add_option(
-          "--planners", arguments.planners,
-          "Names with commas between; thesis: its ten methods as printed, the goal only "
-          "sampled; thesis-goal: the ten, goal tried from every node; family: the searches of\n"
-          "the literature, with each estimate that can guide them; all")
+      .add_option("--planners", arguments.planners,
+                  "Planners or groups, comma-separated. Groups: thesis (its ten methods,\n"
+                  "goal only sampled), thesis-goal (goal tried from every node), family\n"
+                  "(other searches, with each estimate), all")
       ->delimiter(',')
       ->type_name("LIST")
       ->capture_default_str();
   command
       .add_option("--repeats", arguments.repeats,
-                  fmt::format("Runs of each planner, region and scenario with one goal; {}, but {} "
-                              "for {}",
+                  fmt::format("Runs per planner, region and scenario; {}, but {} for {}",
                               Campaign{}.repeats, default_cap.repeats, default_cap.group))
       ->type_name("N")
       ->take_last();
   command
       .add_option("--goal-repeats", arguments.repeats_per_goal,
-                  fmt::format("Runs of each planner, region and goal in a row of goals; {}",
+                  fmt::format("Runs per planner, region and goal of a row; {}",
                               Campaign{}.repeats_per_goal))
       ->type_name("N")
       ->take_last();
   add_options_of_runs(command, arguments);
-  command.add_option("--region", arguments.region, "Where samples are drawn: bounds, scene, both")
+  command.add_option("--region", arguments.region, "Sampling region: bounds, scene or both")
       ->type_name("R")
       ->take_last()
       ->capture_default_str();
-  add_seed(command, arguments.seed, "Every run's seed is derived from it")->take_last();
-  command.add_option("--jobs", arguments.jobs, "Runs at a time, each on one core")
+  add_seed(command, arguments.seed, "Random seed, from which each run derives its own")
+      ->take_last();
+  command.add_option("--jobs", arguments.jobs, "Runs at once, one core each")
       ->type_name("N")
       ->take_last()
       ->capture_default_str();
@@ -344,13 +340,13 @@ void add_options_of_campaign(CLI::App& command, EvaluateArguments& arguments) {
 }  // namespace
 
 void add_evaluate(CLI::App& vandplan, int& status) {
-  CLI::App* const command = vandplan.add_subcommand(
-      "evaluate",
-      "Compare planners on scenarios: run, keep every run, report. With --replan: drive them,\n"
-      "planning anew, and print a table of contacts and times.");
+  CLI::App* const command =
+      vandplan.add_subcommand("evaluate", "Compare planners on scenarios and write a report.");
   command->footer(
-      "All plan the shortest path, whatever scenarios want, unless --set says otherwise: --set\n"
-      "style=driver for those planners that know prices.");
+      "Planners minimise the length, whatever scenarios ask for; --set style=driver changes that.\n"
+      "With --replan simulated vehicles drive the scenarios and plan meanwhile. The table shows\n"
+      "contacts and times; vs alone: time relative to a drive without moving obstacles; unsafe:\n"
+      "plans that are not safe.");
   const auto arguments = std::make_shared<EvaluateArguments>();
   add_options_of_campaign(*command, *arguments);
   add_options_of_output(*command, *arguments);

@@ -177,7 +177,7 @@ void print_live(const ScenarioFile& file, const LiveDriveOptions& options,
                 const LiveTotals& totals) {
   const std::string contacts =
       totals.contacts == 0 ? "no contact" : count_text(totals.contacts, "contact");
-  fmt::print("{}: planned anew every {}: {} in {}, {} arrived\n", printable(file.scenario.name),
+  fmt::print("{}: replanned every {}: {} in {}, {} arrived\n", printable(file.scenario.name),
              seconds_text(options.period), contacts, count_text(totals.runs, "drive"),
              totals.arrived);
   if (totals.contact) {
@@ -186,14 +186,14 @@ void print_live(const ScenarioFile& file, const LiveDriveOptions& options,
   }
   fmt::print("  time: {}; at the end {} from the goal\n",
              seconds_text(totals.duration / totals.runs), metres_text(totals.end_distance));
-  fmt::print("  {}, without an answer {}, without a drive to the goal {}\n",
+  fmt::print("  {}, without a safe plan {}, without a plan to the goal {}\n",
              count_text(totals.ticks, "tick"), totals.ticks_without_answer, totals.stopping_ticks);
   fmt::print("  {} on the way, {}, {}\n", count_text(totals.stops, "stop"),
              count_text(totals.new_ways, "route change"),
              count_text(totals.new_times, "speed change"));
   fmt::print("  {}", clearance_text(totals.clearance));
   if (std::isfinite(totals.moving_clearance)) {
-    fmt::print(", {} from all that moves", metres_text(totals.moving_clearance));
+    fmt::print(", {} from moving obstacles", metres_text(totals.moving_clearance));
   }
   fmt::print("\n");
 }
@@ -265,9 +265,9 @@ void check_live_outputs(const LiveArguments& arguments, const LiveRuns& runs) {
        {std::pair{"--output", &runs.output}, std::pair{actions_flag, &arguments.actions}}) {
     if (!*name) continue;
     if (runs.json && **name == "-") {
-      throw InputError("--json", fmt::format("and {} - both print, expected one of them", flag));
+      throw InputError("--json", fmt::format("does not go with {} -, both would print", flag));
     }
-    expect_ending(**name, FileKind{"what is driven is CSV", {".csv"}});
+    expect_ending(**name, FileKind{"a drive is CSV", {".csv"}});
     expect_writable(**name);
   }
 }
@@ -278,23 +278,22 @@ void add_live_options(CLI::App& command, LiveArguments& arguments, bool is_one) 
   CLI::Option* const replan =
       command
           .add_option("--replan", arguments.period,
-                      "Without a RESULT: plan, and plan anew every so often while driving [s];\n"
-                      "a multiple of 0.02, 0.02 to 10")
+                      "Plan while driving, with this period [s]; multiple of 0.02 up to 10")
           ->type_name("S");
   command
       .add_option("--sensor-range", arguments.sensor_range,
-                  "So far the vehicle sees cells, obstacles and what moves [m]; what it has not\n"
-                  "seen is not there, or unknown as the scenario's map has it; unless given it\n"
-                  "knows everything")
+                  "Range of the sensor [m]; unseen ground is free, or unknown in a map;\n"
+                  "default: all is known")
       ->type_name("M")
       ->needs(replan);
   command
       .add_option("--prediction", arguments.prediction,
-                  "How what moves is thought to go on: known (as it will) or constant-velocity")
+                  "Prediction of moving obstacles: known (true trajectories) or\nconstant-velocity")
       ->type_name("NAME")
       ->capture_default_str()
       ->needs(replan);
-  command.add_option("--horizon", arguments.horizon, "Of a constant velocity [s]; 0.1 to 100")
+  command
+      .add_option("--horizon", arguments.horizon, "Horizon of constant-velocity [s]; 0.1 to 100")
       ->type_name("S")
       ->capture_default_str()
       ->needs(replan);
@@ -302,10 +301,10 @@ void add_live_options(CLI::App& command, LiveArguments& arguments, bool is_one) 
   CLI::Option* const actions =
       command
           .add_option(actions_flag, arguments.actions,
-                      "What the plans ask of steering and speed over time (.csv), - prints it")
+                      "Planned steering and speed over time (.csv); - prints it")
           ->type_name("FILE")
           ->needs(replan);
-  command.add_option("--rate", arguments.rate, "Of the rows of --actions [1/s]; up to 1000")
+  command.add_option("--rate", arguments.rate, "Rows of --actions per second; up to 1000")
       ->type_name("HZ")
       ->capture_default_str()
       ->needs(actions);
@@ -314,7 +313,7 @@ void add_live_options(CLI::App& command, LiveArguments& arguments, bool is_one) 
   };
   command
       .add_option_function<std::vector<std::string>>(
-          "--set", add, "An option of the default planner, as for plan: margin=0.3")
+          "--set", add, "Option of the planner, as for `vandplan plan`")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false)
       ->needs(replan);
@@ -341,7 +340,7 @@ int compare_live(const std::vector<std::string>& files, const LiveArguments& arg
   bool is_good = true;
   if (!runs.json) {
     fmt::print("{:<28} {:>6} {:>8} {:>9} {:>8} {:>8} {:>9} {:>6} {:>8}\n", "scenario", "drives",
-               "arrived", "contacts", "time", "alone", "no answer", "stops", "changes");
+               "arrived", "contacts", "time", "vs alone", "unsafe", "stops", "changes");
   }
   for (const std::string& name : files) {
     ScenarioFile file = live_scenario(name);

@@ -40,10 +40,11 @@ int complain_of_memory() noexcept {
 int run(int argc, char** argv) {
   int status = exit_status::done;
   CLI::App app("Plans paths for trucks and buses.", "vandplan");
-  app.set_version_flag("--version", version_text());
+  app.set_help_flag("-h,--help", "Print help");
+  app.set_version_flag("--version", version_text(), "Print the version");
   app.require_subcommand(0, 1);
-  app.footer("Exit status: 0 done, 1 no path or a check failed, 2 bad input or usage.");
   for (const AddCommand add : commands) add(app, status);
+  app.footer("Exit status: 0 done, 1 failed, 2 bad input.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
@@ -60,12 +61,12 @@ int run(int argc, char** argv) {
 constexpr auto replace_bad_text = nlohmann::ordered_json::error_handler_t::replace;
 
 void add_scenario(CLI::App& command, std::string& scenario) {
-  command.add_option("SCENARIO", scenario, "Scenario file (YAML), - is standard input")->required();
+  command.add_option("SCENARIO", scenario, "Scenario (YAML); - is standard input")->required();
 }
 
 void add_scenario_and_result(CLI::App& command, std::string& scenario, std::string& result) {
   add_scenario(command, scenario);
-  command.add_option("RESULT", result, "Result file (JSON, JSON Lines or binary)")->required();
+  command.add_option("RESULT", result, "Result (JSON, JSON Lines or binary)")->required();
 }
 
 void print(const nlohmann::ordered_json& object) {

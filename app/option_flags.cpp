@@ -140,7 +140,7 @@ void add_option_flags(CLI::App& command, std::vector<TypedOption>& typed) {
   };
   command
       .add_option_function<std::vector<std::string>>("--set", add,
-                                                     "Set any option by its key, see below")
+                                                     "Set an option by its key (below)")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
 }
@@ -185,8 +185,8 @@ void set_typed(PlanOptions& options, const Planner& planner,
 std::string help_on_common_options() {
   std::string help =
       line_of({"style", "driver",
-               "driver: the prices and the steering below; shortest: the length alone; what is set "
-               "beside it wins"});
+               "driver: prices and steering as below; shortest: length only; other options "
+               "override it"});
   for (const CommonOption& option : common_options()) help += line_of(option_text(option));
   return help;
 }

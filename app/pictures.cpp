@@ -77,12 +77,10 @@ void add_picture(CLI::App& command, PictureWish& wish) {
   const auto is_named = [](const std::string& file) {
     return file.empty() ? std::string("the name of a file is empty") : std::string();
   };
-  command.add_option("--draw", wish.file, "Draw it here (.svg, .png or .pdf)")
+  command.add_option("--draw", wish.file, "Picture (.svg, .png or .pdf)")
       ->check(CLI::Validator(is_named, ""))
       ->type_name("FILE");
-  command
-      .add_flag(strip_flag, wish.curvature_strip,
-                "Below the picture: how far the wheels are turned along the path")
+  command.add_flag(strip_flag, wish.curvature_strip, "Plot the curvature below the picture")
       ->needs("--draw");
 }
 
@@ -137,7 +135,7 @@ DrawnPairs write_picture(const PictureWish& wish, const ScenarioFile& scenario,
                          ResultReader& results, std::optional<std::size_t> pair) {
   const auto& [file, has_strip, plays] = wish;
   if (plays) throw InputError(play_flag, "is for one path, the result has many");
-  if (has_strip && !pair) throw InputError(strip_flag, "is for one path: --pair N");
+  if (has_strip && !pair) throw InputError(strip_flag, "is for one path, expected --pair N");
   const PictureFormat format = picture_format(file);
   std::deque<PairPicture> pictures;
   ContactSheet sheet;
@@ -160,7 +158,7 @@ DrawnPairs write_picture(const PictureWish& wish, const ScenarioFile& scenario,
   if (pair) throw InputError("--pair", fmt::format("there is no pair {}", *pair));
   drawn.drawn = sheet.drawings.size();
   sheet.caption = printable(scenario.scenario.name);
-  if (!drawn.is_all) sheet.caption += fmt::format(": the first {} of more pairs", drawn.drawn);
+  if (!drawn.is_all) sheet.caption += fmt::format(": the first {} pairs", drawn.drawn);
   write_file(file, draw(sheet, format, picture_width));
   return drawn;
 }

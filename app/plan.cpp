@@ -165,17 +165,16 @@ std::string help_on_keys() {
   return "Keys of --set, with their defaults:\n" + help_on_common_options() +
          help_on_options_of(default_planner()) +
          fmt::format(
-             "A driver's prices are those of a truck that turns on 7 m. For a vehicle with a "
-             "smaller\n"
-             "turning radius gear_change_cost and clearance_distance shrink in proportion to it,\n"
-             "curvature_change_cost with its square. Prices that are set hold as they are.\n"
-             "Other planners have other keys, see vandplan planners --options. A key, or its "
-             "flag,\n"
-             "that the planner does not honour is refused.\n"
-             "Without a limit of time or iterations a run takes {} s. In a row of goals each\n"
-             "goal has the whole budget. Ctrl-C ends the run with the best path so far.\n"
-             "Exit status: 0 solved (in a row: a goal at least; with --poses: all), 1 no path,\n"
-             "2 bad input or usage.",
+             "A driver's prices are for a turning radius of 7 m. Below that, gear_change_cost "
+             "and\n"
+             "clearance_distance shrink in proportion, curvature_change_cost with the square.\n"
+             "Prices that are set stay as they are. Keys that the planner does not use are "
+             "refused;\n"
+             "other planners: vandplan planners --options. Without a limit a run takes {} s per "
+             "goal.\n"
+             "Ctrl-C ends it with the best path so far.\n"
+             "Exit status: 0 solved (a row: at least one goal; --poses: all), 1 no path, 2 bad "
+             "input.",
              default_time_limit);
 }
 
@@ -189,43 +188,39 @@ void add_plan(CLI::App& vandplan, int& status) {
       [command, about](std::size_t) { command->description(about + "\n\n" + examples_of_use); });
   const auto arguments = std::make_shared<PlanArguments>();
   add_scenario(*command, arguments->scenario);
-  command
-      ->add_option("--planner", arguments->planner, "One of those that `vandplan planners` lists")
+  command->add_option("--planner", arguments->planner, "Planner, see `vandplan planners`")
       ->type_name("NAME")
       ->capture_default_str();
   add_option_flags(*command, arguments->options);
   add_table_flag(*command, arguments->table);
   command
       ->add_option("--primitives", arguments->primitives,
-                   "What joins the vertices of a lattice: a file of Nav2 (.json)\nor SBPL (.mprim)")
+                   "Primitives of lattice planners: Nav2 (.json) or SBPL (.mprim)")
       ->type_name("FILE");
-  command
-      ->add_option("--output", arguments->output,
-                   "Write the result here (JSON; binary if the name ends in .vpr)")
+  command->add_option("--output", arguments->output, "Result (JSON; .vpr: binary)")
       ->type_name("FILE");
   add_picture(*command, arguments->picture);
   command
       ->add_option("--poses", arguments->poses,
-                   "Plan many pairs in this one world: a line of x, y, heading of start\n"
-                   "and goal each (CSV); --output then writes a result a line\n"
-                   "(JSON Lines, or binary)")
+                   "Plan many pairs of start and goal (CSV: x, y, heading of both);\n"
+                   "--output then writes one result per line (JSON Lines) or .vpr")
       ->type_name("FILE")
       ->excludes("--draw");
   command
-      ->add_option("--jobs", arguments->jobs, "Pairs planned at a time, 0: one for each processor")
+      ->add_option("--jobs", arguments->jobs,
+                   "Pairs planned at once; 0: one per processor; up to 1024")
       ->type_name("N")
-      ->check(CLI::Range(0, 1024))
+      ->check(CLI::Range(0, 1024).description(""))
       ->needs("--poses")
       ->capture_default_str();
   const auto set_shard = [arguments](const std::string& text) {
     arguments->shard = shard_in(text);
   };
   command
-      ->add_option_function<std::string>(
-          "--shard", set_shard, "Plan part I (1 to N) of the pairs alone, by a hash of each")
+      ->add_option_function<std::string>("--shard", set_shard, "Plan only part I of N of the pairs")
       ->type_name("I/N")
       ->needs("--poses");
-  command->add_flag("--json", arguments->json, "Print one JSON object instead of a summary");
+  command->add_flag("--json", arguments->json, "Print JSON");
   command->footer(help_on_keys());
   command->callback([arguments, &status] { status = run(*arguments); });
 }

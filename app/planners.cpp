@@ -79,7 +79,7 @@ void print_one(const Planner& planner, bool as_json) {
     if (!honours(planner, option.name)) continue;
     common += (common.empty() ? "" : ", ") + std::string(option.name);
   }
-  fmt::print("{}: {}\nIts own options (plan --set):\n{}It honours: {}\n", planner.name,
+  fmt::print("{}: {}\nOwn options (plan --set):\n{}Common options: {}\n", planner.name,
              planner.summary, help_on_options_of(planner), common);
 }
 
@@ -92,13 +92,13 @@ struct PlannersArguments {
 }  // namespace
 
 void add_planners(CLI::App& vandplan, int&) {
-  CLI::App* const command = vandplan.add_subcommand(
-      "planners", "List every planner, or tell what can be set for one of them.");
+  CLI::App* const command =
+      vandplan.add_subcommand("planners", "List planners, or the options of one.");
   const auto arguments = std::make_shared<PlannersArguments>();
-  command->add_option("NAME", arguments->name, "Planner to be told about");
-  command->add_flag("--options", arguments->options, "List the options of all planners instead")
+  command->add_option("NAME", arguments->name, "Planner to describe");
+  command->add_flag("--options", arguments->options, "List the options of all planners")
       ->excludes("NAME");
-  command->add_flag("--json", arguments->json, "Print one JSON object instead of a table");
+  command->add_flag("--json", arguments->json, "Print JSON");
   command->callback([arguments] {
     if (arguments->options) {
       fmt::print("{}", help_on_own_options());

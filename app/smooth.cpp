@@ -85,7 +85,7 @@ std::string outcome_of(const Run& run, const Vehicle& vehicle) {
   const std::string work =
       fmt::format("{} iterations, {}", result.iterations, seconds_text(result.time_total));
   if (run.smoothed.is_given) {
-    return fmt::format("nothing better was found, the path stays as it was: {}; {}", path, work);
+    return fmt::format("no better path found, the path is unchanged: {}; {}", path, work);
   }
   return fmt::format("smoothed: {}, {}; {}", path, before_text(run.smoothed), work);
 }
@@ -141,33 +141,25 @@ int run(const SmoothArguments& arguments) {
 
 void add_smooth(CLI::App& vandplan, int& status) {
   CLI::App* const command = vandplan.add_subcommand(
-      "smooth",
-      "Make the path of a result cheaper, and one that the wheels can follow: clothoids where the\n"
-      "curvature jumps, along the same way, checked like any path. Options are those stored in "
-      "the\n"
-      "result. By these it is never worse than a path that can be followed already.");
+      "smooth", "Make a path cheaper, without jumps of the curvature between stops.");
   const auto arguments = std::make_shared<SmoothArguments>();
   add_scenario_and_result(*command, arguments->scenario, arguments->result);
   command
-      ->add_option(
-          "--method", arguments->method,
-          "clothoids: at joints, and a moment of shortening; optimised: all of it is made\n"
-          "cheaper for as long as the budget lasts")
+      ->add_option("--method", arguments->method,
+                   "clothoids: smooth the joints, shorten briefly;\n"
+                   "optimised: use the whole budget")
       ->type_name("NAME")
       ->capture_default_str();
   add_option_flags(*command, arguments->options);
-  command->add_option("--output", arguments->output, "Write the result here (JSON)")
+  command->add_option("--output", arguments->output, "Result (JSON; .vpr: binary)")
       ->type_name("FILE");
   add_picture(*command, arguments->picture);
-  command->add_flag("--json", arguments->json, "Print one JSON object instead of a summary");
+  command->add_flag("--json", arguments->json, "Print JSON");
   command->footer(
-      "What is typed comes before what the result stores (prices, cost, margin, min_stroke,\n"
-      "steering), and that before the options of the scenario. The budget of the run that planned\n"
-      "the path does not count, nor does its steering if that was reeds-shepp: without a trailer\n"
-      "it becomes continuous-between-stops then. Keys of --set are those of `vandplan plan` for "
-      "all\n"
-      "planners, and min_stroke. Exit status: 0 done, 1 no such path was found, 2 bad input or\n"
-      "usage.");
+      "Keys of --set: those of `vandplan plan` for all planners, and min_stroke. Options come "
+      "from\n"
+      "the command line, else from the result (but for its budget), else from the scenario.\n"
+      "Exit status: 0 done, 1 no such path found, 2 bad input.");
   command->callback([arguments, &status] { status = run(*arguments); });
 }
 

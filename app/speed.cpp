@@ -114,7 +114,7 @@ void print_summary(const Choice& choice, const SpeedProfile& profile) {
     if (!(share > 0.0)) continue;
     shares += fmt::format("{}{} {:.1f} %", shares.empty() ? "" : ", ", name_of(bound), 100 * share);
   }
-  if (!shares.empty()) fmt::print("  bound by: {}\n", shares);
+  if (!shares.empty()) fmt::print("  limited by: {}\n", shares);
 }
 
 /// What ROS calls a frame.
@@ -178,34 +178,27 @@ int run(const SpeedArguments& arguments) {
 }  // namespace
 
 void add_speed(CLI::App& vandplan, int& status) {
-  CLI::App* const command = vandplan.add_subcommand(
-      "speed",
-      "Drive the path of a result as fast as the limits of the scenario's vehicle allow: speed,\n"
-      "acceleration, braking, lateral acceleration, steering rate, jerk. It stands at start, goal\n"
-      "and gear changes, and wherever the curvature jumps until the wheels are turned; before the\n"
-      "start they are as the scenario says (start.curvature). The judge sees the path first. A\n"
-      "result with times of its own, planned among what moves, keeps them if the judge does.");
+  CLI::App* const command =
+      vandplan.add_subcommand("speed", "Compute the fastest drive along a path.");
   command->footer(
-      "Columns: t [s], s [m], x, y [m], heading [rad], curvature [1/m], steering_angle [rad],\n"
-      "direction (1 or -1), v [m/s], a [m/s^2]; v is negative in reverse, a is its change.\n"
-      "A .yaml has the shape of a nav_msgs/Path of ROS 2: a pose with its time for each row.\n"
-      "Exit status: 0 done, 1 no path or an invalid one, 2 bad input or usage.");
+      "Valid times of the result (planned among moving obstacles) are kept.\n"
+      "Columns: t [s], s, x, y [m], heading [rad], curvature [1/m], steering_angle [rad],\n"
+      "direction (1 or -1), v [m/s], a [m/s^2]; v is negative in reverse.\n"
+      "Exit status: 0 done, 1 no path or an invalid one, 2 bad input.");
   const auto arguments = std::make_shared<SpeedArguments>();
   add_scenario_and_result(*command, arguments->path.scenario, arguments->path.result);
   command
       ->add_option("-o,--output", arguments->output,
-                   "The drive over time (.csv, or .yaml for ROS), - prints it")
+                   "Table over time (.csv; .yaml: nav_msgs/Path of ROS 2); - prints it")
       ->type_name("FILE");
-  command
-      ->add_option("--step", arguments->step,
-                   "Rows are no further apart [s]; 0.0001 to 0.05; all multiples of it have one")
+  command->add_option("--step", arguments->step, "Largest time between rows [s]; 0.0001 to 0.05")
       ->type_name("S")
       ->capture_default_str();
-  command->add_option("--frame", arguments->frame, "The frame_id in a .yaml")
+  command->add_option("--frame", arguments->frame, "frame_id of a .yaml")
       ->type_name("NAME")
       ->capture_default_str();
   add_choice(*command, arguments->path);
-  command->add_flag("--json", arguments->json, "Print one JSON object instead of a summary");
+  command->add_flag("--json", arguments->json, "Print JSON");
   command->callback([arguments, &status] { status = run(*arguments); });
 }
 

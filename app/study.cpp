@@ -90,23 +90,21 @@ class Options {
   }
 
   void iterations(std::int64_t& value) {
-    command_.add_option("--iterations", value, "Of each run; 1 to 1000000")
+    command_.add_option("--iterations", value, "Iterations per run; 1 to 1000000")
         ->type_name("N")
         ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}).description(""))
         ->capture_default_str()
         ->take_last();
   }
 
-  void seed(std::uint64_t& value) {
-    add_seed(command_, value, "Of the random numbers")->take_last();
-  }
+  void seed(std::uint64_t& value) { add_seed(command_, value, "Random seed")->take_last(); }
 
   void output(StudyArguments& arguments) {
-    command_.add_option("-o,--output", arguments.folder, "Folder of the files, made if need be")
+    command_.add_option("-o,--output", arguments.folder, "Output folder")
         ->type_name("DIR")
         ->capture_default_str()
         ->take_last();
-    command_.add_flag("--json", arguments.json, "Print one JSON object instead of a summary");
+    command_.add_flag("--json", arguments.json, "Print JSON");
   }
 
  private:
@@ -190,15 +188,13 @@ AccuracyStudy study_of_trailer(const TrailerArguments& arguments) {
 
 void add_trailer_accuracy(CLI::App& studies) {
   CLI::App* const command = studies.add_subcommand(
-      "trailer-accuracy",
-      "How far off are estimates of a length with a trailer? Euclid, what a tractor\n"
-      "alone would drive, and a table of states of the rig, over random pairs.");
+      "trailer-accuracy", "How accurate are estimates of lengths with a trailer?");
   const auto study = std::make_shared<TrailerArguments>();
   const auto arguments = std::make_shared<StudyArguments>();
   Options options(*command);
-  options.pairs(study->options.pairs, "Pairs of states; 1 to 10000000");
-  options.metres("--reach", study->options.reach, "Pairs have |x| and |y| below it [m]");
-  command->add_option("--vehicle", study->vehicle, "With a trailer, of the catalogue")
+  options.pairs(study->options.pairs, "Random pairs; 1 to 10000000");
+  options.metres("--reach", study->options.reach, "Largest |x| and |y| [m]");
+  command->add_option("--vehicle", study->vehicle, "Catalogue vehicle with a trailer")
       ->type_name("NAME")
       ->capture_default_str();
   options.seed(study->options.seed);
@@ -208,18 +204,14 @@ void add_trailer_accuracy(CLI::App& studies) {
 
 void add_accuracy(CLI::App& studies) {
   CLI::App* const command = studies.add_subcommand(
-      "accuracy",
-      "How far off are estimates of a length? Euclid, tables, and the lower bound,\n"
-      "over random pairs (Algorithm 4, Fig. 15).");
+      "accuracy", "How accurate are estimates of lengths? (Algorithm 4, Fig. 15)");
   const auto study = std::make_shared<AccuracyArguments>();
   const auto arguments = std::make_shared<StudyArguments>();
   Options options(*command);
-  options.pairs(study->options.pairs, "Pairs of poses; 1 to 10000000");
-  options.metres("--reach", study->options.reach, "Pairs have |x| and |y| below it [m]");
+  options.pairs(study->options.pairs, "Random pairs; 1 to 10000000");
+  options.metres("--reach", study->options.reach, "Largest |x| and |y| [m]");
   options.metres("--radius", study->options.turning_radius, "Turning radius [m]");
-  command
-      ->add_option("--table", study->tables,
-                   "Tables by name (hlut-1 to hlut-4) or file, with commas between")
+  command->add_option("--table", study->tables, "hlut-1 to hlut-4 or files, comma-separated")
       ->delimiter(',')
       ->type_name("LIST")
       ->capture_default_str();
@@ -231,22 +223,21 @@ void add_accuracy(CLI::App& studies) {
 }  // namespace
 
 void add_study(CLI::App& vandplan, int&) {
-  CLI::App* const studies = vandplan.add_subcommand(
-      "study", "Repeat the studies of the thesis: numbers as CSV, pictures as PNG and SVG.");
+  CLI::App* const studies =
+      vandplan.add_subcommand("study", "Repeat a study of the thesis (CSV, PNG, SVG).");
   studies->require_subcommand(0, 1);
   studies->callback([studies] {
     if (!studies->get_subcommands().empty()) return;
     throw InputError(
         "study",
-        "which one is missing, expected range, accuracy, trailer-accuracy, growth, symmetry, "
+        "a study is missing, expected range, accuracy, trailer-accuracy, growth, symmetry, "
         "steering or searches");
   });
   add_study_of<RangeOptions>(
       *studies, "range",
-      "How much longer than the straight line are shortest paths? Dubins and\n"
-      "Reeds-Shepp over random pairs (Algorithm 3, Fig. 14).",
+      "How much longer than straight lines are shortest paths? (Algorithm 3, Fig. 14)",
       [](Options& declare, RangeOptions& options) {
-        declare.pairs(options.pairs, "Pairs of poses that are drawn as dots; 1 to 10000000");
+        declare.pairs(options.pairs, "Pairs drawn as dots; 1 to 10000000");
         declare.metres("--reach", options.reach, "Largest distance of a pair [m]");
         declare.metres("--radius", options.turning_radius, "Turning radius [m]");
         declare.seed(options.seed);
@@ -255,34 +246,30 @@ void add_study(CLI::App& vandplan, int&) {
   add_accuracy(*studies);
   add_trailer_accuracy(*studies);
   add_study_of<GrowthOptions>(
-      *studies, "growth",
-      "How does a random tree spread over open ground? 200 to 100000 nodes\n"
-      "(Algorithm 1, Fig. 5).",
+      *studies, "growth", "How does a random tree spread over open ground? (Algorithm 1, Fig. 5)",
       [](Options& declare, GrowthOptions& options) {
-        declare.metres("--reach", options.reach, "Samples have |x| and |y| below it [m]");
-        declare.metres("--step", options.step, "How far one input drives [m]");
+        declare.metres("--reach", options.reach, "Largest |x| and |y| [m]");
+        declare.metres("--step", options.step, "Length of an edge [m]");
         declare.metres("--radius", options.turning_radius, "Turning radius [m]");
         declare.seed(options.seed);
       },
       study_growth);
   add_study_of<SymmetryOptions>(
-      *studies, "symmetry",
-      "Which pairs of poses have the same length between them? (Algorithm 5, Fig. 6)",
+      *studies, "symmetry", "Which pairs of poses are equally far apart? (Algorithm 5, Fig. 6)",
       [](Options& declare, SymmetryOptions& options) {
-        declare.pairs(options.pairs, "Random pairs whose folding is measured; 1 to 10000000");
+        declare.pairs(options.pairs, "Random pairs; 1 to 10000000");
         declare.metres("--radius", options.turning_radius, "Turning radius [m]");
         declare.seed(options.seed);
       },
       study_symmetry);
   add_study_of<SteeringOptions>(
-      *studies, "steering", "What do shortest paths look like, Dubins and Reeds-Shepp? (Fig. 3, 4)",
+      *studies, "steering", "What do shortest paths look like? (Fig. 3, 4)",
       [](Options& declare, SteeringOptions& options) {
         declare.metres("--radius", options.turning_radius, "Turning radius [m]");
       },
       study_steering);
   add_study_of<SearchesOptions>(
-      *studies, "searches",
-      "How do planners search? What each looked at, in its order, in two scenarios.",
+      *studies, "searches", "What do planners look at, and in which order?",
       [](Options& declare, SearchesOptions& options) {
         declare.iterations(options.iterations);
         declare.seed(options.seed);

@@ -41,7 +41,7 @@ double percentile_of(const Spread& spread, int percent) {
 
 std::string summary_of(const RangeStudy& study) {
   std::string text = fmt::format(
-      "What is driven beyond the straight line [m], turning radius {} m, seed {}\n"
+      "Detour beyond the straight line [m], turning radius {} m, seed {}\n"
       "  distance    Dubins mean   largest    Reeds-Shepp mean   largest\n",
       study.options.turning_radius, study.options.seed);
   for (const int i : {0, 1, 2, 5, 10, 15, 20, 30, 40, 50}) {
@@ -111,7 +111,7 @@ Json json_of(const AccuracyStudy& study) {
 std::string summary_of(const GrowthStudy& study) {
   std::string text = fmt::format(
       "A tree from (0, 0) in a square of +-{} m, steps of {} m, turning radius {} m, seed {}\n"
-      "  nodes     squares of 10 m that hold one   depth\n",
+      "  nodes          10 m squares with a node   depth\n",
       study.options.reach, study.options.step, study.options.turning_radius, study.options.seed);
   for (const auto& [nodes, explored, depth] : study.stages) {
     text += fmt::format("  {:<9} {:27.1f} % {:7}\n", nodes, 100 * explored, depth);
@@ -145,7 +145,7 @@ std::string summary_of(const SymmetryStudy& study) {
   }
   return "Mirrored pairs of poses [m, rad]\n" + text +
          fmt::format(
-             "{} random pairs, seed {}: their folded ones are at most {:.2g} m longer or shorter\n",
+             "{} random pairs, seed {}: mirror images differ in length by at most {:.2g} m\n",
              study.options.pairs, study.options.seed, study.worst_difference);
 }
 
@@ -205,7 +205,7 @@ Json json_of(const SteeringStudy& study) {
 std::string summary_of(const SearchesStudy& study) {
   std::string text = fmt::format(
       "How planners search, {} iterations each, seed {}\n"
-      "  planner            scenario            length [m]   first after   shown\n",
+      "  planner            scenario            length [m]    first path   poses\n",
       study.options.iterations, study.options.seed);
   for (const auto& [scenario, planner, result] : study.runs) {
     text += fmt::format("  {:<18} {:<18}", planner, study.scenarios[scenario].name);

@@ -116,14 +116,14 @@ int check_of_lengths(const TableSource& source, const TableCheckArguments& argum
                  {"good", good}};
     print(json);
   } else {
-    fmt::print("{}: checksum fits; {} of {} entries compared with exact lengths\n",
+    fmt::print("{}: checksum is correct; {} of {} entries compared with exact lengths\n",
                printable(source.name), check.compared, source.head.entries);
     fmt::print(
         "worst difference {:.2g} m, from x {} m, y {} m, heading {:.4f} rad to heading {:.4f} "
         "rad\n",
         check.worst_difference, node.x, node.y, node.heading, sample.heading);
     fmt::print("{}\n",
-               good ? "good: every difference is a rounding"
+               good ? "good: every difference is a rounding error"
                     : fmt::format("WRONG: {} entries are not the exact length", check.wrong));
   }
   return good ? exit_status::done : exit_status::failed;
@@ -144,7 +144,7 @@ int check_of_bounds(const TableSource& source, const TableCheckArguments& argume
            {"gap_95", check.gap_95},
            {"good", good}});
   } else {
-    fmt::print("{}: checksum fits; {} the table of this library\n", printable(source.name),
+    fmt::print("{}: checksum is correct; {} the table of this library\n", printable(source.name),
                same ? "is" : "IS NOT");
     fmt::print(
         "{} random pairs: {} exact lengths outside of the library's bounds\n"
@@ -222,29 +222,25 @@ void export_table(const ExportArguments& arguments) {
 
 // ---- the command line ----
 
-constexpr const char* table_help = "hlut-1 to hlut-4, bounds, or a table file; - is standard input";
+constexpr const char* table_help = "hlut-1 to hlut-4, bounds, or a file; - is standard input";
 
-void add_json(CLI::App& command, bool& json) {
-  command.add_flag("--json", json, "Print one JSON object instead of a summary");
-}
+void add_json(CLI::App& command, bool& json) { command.add_flag("--json", json, "Print JSON"); }
 
 void add_table_build(CLI::App& table) {
-  CLI::App* const command =
-      table.add_subcommand("build", "Compute a table and write it to a file.");
+  CLI::App* const command = table.add_subcommand("build", "Compute a table and write it.");
   const auto arguments = std::make_shared<BuildArguments>();
   const auto add = [&](const char* flag, auto& value, const char* type, const char* help) {
     command->add_option(flag, value, help)->type_name(type)->take_last();
   };
   command
       ->add_option("NAME", arguments->name,
-                   "hlut-1 to hlut-4: the thesis' tables, where the options below start from;\n"
-                   "bounds: the certified bounds of the library; hlut-1 when left out")
+                   "hlut-1 (default) to hlut-4: thesis tables, changed by the options;\n"
+                   "bounds: certified bounds of the library")
       ->type_name("");
   add("--extent", arguments->extent, "M",
-      "Of |dx| and |dy| [m], a multiple of the step; 10 (hlut-2: 20, hlut-4: 30)");
-  add("--step", arguments->step, "M", "Of the positions [m]; 1");
-  add("--headings", arguments->headings, "N",
-      "Steps of a full turn; 8 is pi/4 (hlut-3, hlut-4: 24 is pi/12)");
+      "Largest |dx| and |dy| [m], a multiple of the step;\n10 (hlut-2: 20, hlut-4: 30)");
+  add("--step", arguments->step, "M", "Step of positions [m]; 1");
+  add("--headings", arguments->headings, "N", "Headings per turn; 8 (hlut-3, hlut-4: 24)");
   add("--radius", arguments->radius, "M", "Turning radius [m]; 7");
   command->add_option("-o,--output", arguments->output, "Table file")
       ->type_name("FILE")
@@ -255,7 +251,7 @@ void add_table_build(CLI::App& table) {
 
 void add_table_info(CLI::App& table) {
   CLI::App* const command =
-      table.add_subcommand("info", "Say what a table holds, after a look at size and checksum.");
+      table.add_subcommand("info", "Describe a table, after a test of size and checksum.");
   const auto name = std::make_shared<std::string>();
   const auto json = std::make_shared<bool>(false);
   command->add_option("TABLE", *name, table_help)->required()->type_name("");
@@ -274,38 +270,35 @@ void add_table_info(CLI::App& table) {
 
 void add_table_check(CLI::App& table, int& status) {
   CLI::App* const command = table.add_subcommand(
-      "check",
-      "Recompute the entries of a table and say how far the worst one is off;\n"
-      "of bounds: look for exact lengths that are outside.");
+      "check", "Compare a table with exact lengths and report the worst entry.");
   const auto arguments = std::make_shared<TableCheckArguments>();
   command->add_option("TABLE", arguments->table, table_help)->required()->type_name("");
   command
       ->add_option("--sample", arguments->options.sample,
-                   fmt::format("Entries drawn at random, 1 to 100000000; every one when left out\n"
-                               "(of bounds: pairs of poses; {})",
+                   fmt::format("Random entries, 1 to 100000000; default: all (bounds: {} pairs)",
                                default_pairs))
       ->type_name("N")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{100'000'000}).description(""))
       ->take_last();
-  add_seed(*command, arguments->options.seed, "Of the sample")->take_last();
+  add_seed(*command, arguments->options.seed, "Random seed")->take_last();
   add_json(*command, arguments->json);
-  command->footer("Exit status: 0 good, 1 an entry is wrong, 2 bad input or usage.");
+  command->footer("Exit status: 0 good, 1 wrong, 2 bad input.");
   command->callback([arguments, &status] { status = check(*arguments); });
 }
 
 void add_table_export(CLI::App& table) {
-  CLI::App* const command =
-      table.add_subcommand("export", "Write a table as a C++ header that compiles, or as CSV.");
+  CLI::App* const command = table.add_subcommand("export", "Write a table as a C++ header or CSV.");
   const auto arguments = std::make_shared<ExportArguments>();
   command->add_option("TABLE", arguments->table, table_help)->required()->type_name("");
-  command->add_option("-o,--output", arguments->output, "File, ends in .h, .hpp or .csv")
+  command->add_option("-o,--output", arguments->output, "File (.h, .hpp or .csv)")
       ->type_name("FILE")
       ->required();
-  command->add_option("--format", arguments->format, "Whatever the ending of the file")
-      ->check(CLI::IsMember({"header", "csv"}))
+  command->add_option("--format", arguments->format, "Format, whatever the ending")
+      ->check(CLI::IsMember({"header", "csv"}).description(""))
       ->type_name("header|csv")
       ->take_last();
-  command->add_option("--name", arguments->name, "Namespace in the header; that of the table")
+  command
+      ->add_option("--name", arguments->name, "Namespace of the header; default: name of the table")
       ->type_name("NAME")
       ->take_last();
   add_json(*command, arguments->json);
@@ -316,7 +309,7 @@ void add_table_export(CLI::App& table) {
 
 void add_table(CLI::App& vandplan, int& status) {
   CLI::App* const table = vandplan.add_subcommand(
-      "table", "Make heuristic look-up tables, look into them, check them and hand them on.");
+      "table", "Build, describe, check and export heuristic look-up tables.");
   table->require_subcommand(0, 1);
   table->callback([table] {
     if (!table->get_subcommands().empty()) return;

@@ -44,10 +44,7 @@ TableSource table_source(const std::string& name) {
 }
 
 void add_table_flag(CLI::App& command, std::optional<std::string>& table) {
-  command
-      .add_option("--table", table,
-                  "Table that the estimate \"table\" looks lengths up in: a file of\n"
-                  "`vandplan table build`")
+  command.add_option("--table", table, "Table for estimate=table, see `vandplan table build`")
       ->type_name("FILE");
 }
 

@@ -52,7 +52,7 @@ std::string seconds_text(double seconds) { return with_unit(seconds, time_units)
 std::string clearance_text(double clearance) {
   if (!std::isfinite(clearance)) return "no obstacles";
   const std::string text = "clearance " + metres_text(clearance);
-  return clearance < 10 * known_to ? text + " (known to " + metres_text(known_to) + ")" : text;
+  return clearance < 10 * known_to ? text + " (accurate to " + metres_text(known_to) + ")" : text;
 }
 
 std::string path_text(const PathCheck& check) {
@@ -66,7 +66,7 @@ std::string drive_text(const std::optional<DriveCheck>& check) {
   if (!check) return "";
   std::string text = fmt::format(", driven in {}", seconds_text(check->duration));
   if (!check->clearance || !std::isfinite(*check->clearance)) return text;
-  return fmt::format("{}, {} from all that moves", text, metres_text(*check->clearance));
+  return fmt::format("{}, {} from moving obstacles", text, metres_text(*check->clearance));
 }
 
 std::string cost_text(double cost, const CostOptions& rule, const Vehicle& vehicle) {

@@ -29,7 +29,7 @@ using base::printable;
 /// judge has seen.
 [[nodiscard]] std::string path_text(const PathCheck& check);
 
-/// ", driven in 23.100 s, 0.420 m from all that moves" of times that the judge has seen; empty
+/// ", driven in 23.100 s, 0.420 m from moving obstacles" of times that the judge has seen; empty
 /// where there are none.
 [[nodiscard]] std::string drive_text(const std::optional<DriveCheck>& check);
 

@@ -15,14 +15,14 @@
 namespace vandplan::driving {
 namespace {
 
-/// What the vehicle drives until the end of the control period [m].
+/// Distance that the vehicle drives until the end of the control period [m].
 double way_ahead(const Sight& sight) { return sight.state.v * control_period; }
 
-/// The heading's error as the way sees it: with it the error of the place grows by its sine for
-/// each driven metre, in either gear.
+/// Error of the direction of motion [rad]: the lateral error grows by its sine per driven metre, in
+/// either gear.
 double slant(const Sight& sight) { return sight.stroke.direction() * sight.offset.heading; }
 
-/// Paden et al. 2016, section V-A: the yaw rate divided by the speed.
+/// Rear-axle feedback of Paden et al. 2016, section V-A: the yaw rate divided by the speed.
 double rear_axle_feedback(const Sight& sight) noexcept {
   const double a = fading_distance(sight.vehicle);
   const double e = sight.offset.lateral;
@@ -30,13 +30,13 @@ double rear_axle_feedback(const Sight& sight) noexcept {
   const auto [sin, cos] = base::sin_cos(h);
   const double curvature = sight.stroke.curvature_at(sight.offset.place.s + way_ahead(sight));
   const double sin_ratio = std::abs(h) < 1e-6 ? 1.0 : sin / h;
-  // A place on the inside of a turn meets a tighter one.
+  // Inside of a turn the parallel curve is tighter.
   const double along = curvature * cos / std::max(1 - curvature * e, 0.2);
   const double wanted = along - 2 / a * h - 1 / (a * a) * e * sin_ratio;
   return steering_angle(sight.vehicle, wanted);
 }
 
-/// With a trailer: linear-quadratic around the plan, whose hitch angle is another error.
+/// Linear-quadratic feedback for a rig: the hitch angle is another error (`Towing`).
 double tow(const Sight& sight) noexcept {
   const Towing& towing = *sight.towing;
   const double s = sight.offset.place.s;
@@ -55,7 +55,7 @@ double lqr(const Sight& sight) noexcept {
   const double a = fading_distance(sight.vehicle);
   const auto [sin, cos] = base::sin_cos(sight.state.steering_angle);
   const double curvature = sin / cos / sight.vehicle.wheelbase;
-  // Everything in units of the fading distance.
+  // All quantities are in units of the fading distance.
   double change = -(gains.lateral * sight.offset.lateral / a + gains.heading * slant(sight) +
                     gains.curvature * curvature * a);
   double s = sight.offset.place.s + preview_step * a / 2;
@@ -66,7 +66,8 @@ double lqr(const Sight& sight) noexcept {
   return steering_angle(sight.vehicle, curvature + change / (a * a) * way_ahead(sight));
 }
 
-/// Coulter 1992: the circle through the rear axle, along the vehicle, to a place ahead on the path.
+/// Pure pursuit of Coulter 1992: the circle through the rear axle, tangent to the vehicle, to a
+/// place ahead on the path.
 double pure_pursuit(const Sight& sight) noexcept {
   const double ahead = sight.vehicle.wheelbase / 2 + 0.5 * sight.state.v;
   const Place target = sight.stroke.at(sight.offset.place.s + ahead);
@@ -75,10 +76,10 @@ double pure_pursuit(const Sight& sight) noexcept {
   return steering_angle(sight.vehicle, square > 0.0 ? 2 * seen.y / square : 0.0);
 }
 
-/// Hoffmann et al. 2007, with the way of the front axle as the path that it follows.
+/// Controller of Hoffmann et al. 2007 (Stanley). It follows the planned path of the front axle.
 double stanley(const Sight& sight) noexcept {
-  constexpr double gain = 1.0;     // [1/s]
-  constexpr double slowest = 0.5;  // [m/s]
+  constexpr double gain = 1.0;     // gain from the lateral error to the speed across the path [1/s]
+  constexpr double slowest = 0.5;  // keeps the gain finite at low speeds [m/s]
   const double wheelbase = sight.vehicle.wheelbase;
   const Place& rear = sight.offset.place;
   const double planned = steering_angle(sight.vehicle, rear.curvature);
@@ -95,18 +96,18 @@ double stanley(const Sight& sight) noexcept {
   return ahead - sight.offset.heading - base::atan_2(gain * left, slowest + sight.state.v);
 }
 
-/// The planned speed at a place, or, where the vehicle began before the stroke, half of the planned
-/// acceleration on twice the way.
+/// Planned speed at `s` metres [m/s]. A vehicle that began before the stroke gets half of the
+/// planned acceleration over twice the distance.
 double planned_speed(const Sight& sight, double s) {
   return sight.stroke.speed_at(s < sight.behind ? (s + sight.behind) / 2 : s);
 }
 
-/// Wheels that are far from where they are wanted turn within half a metre: who drives on at full
-/// speed with them is soon further from the path than any controller finds back from.
+/// Largest speed with which the wheels reach the wanted angle within half a metre [m/s]. At full
+/// speed with wrong wheels, the vehicle soon is too far from the path for any controller.
 double speed_for_wheels(const Sight& sight, double wanted_steering) {
-  constexpr double usual = 0.4;    // that wheels take [s]
-  constexpr double way = 0.5;      // [m]
-  constexpr double slowest = 0.2;  // [m/s]
+  constexpr double usual = 0.4;    // usual time of a correction, which does not limit the speed [s]
+  constexpr double way = 0.5;      // distance within which the wheels reach the wanted angle [m]
+  constexpr double slowest = 0.2;  // least speed limit [m/s]
   const double largest = largest_steering_angle(sight.vehicle);
   const double turn =
       std::abs(std::clamp(wanted_steering, -largest, largest) - sight.state.steering_angle);
@@ -115,14 +116,12 @@ double speed_for_wheels(const Sight& sight, double wanted_steering) {
 }
 
 constexpr std::array all = {
-    Controller{
-        {"rear-axle-feedback", "error of the rear axle and its heading, both gears", true, false},
-        rear_axle_feedback},
-    Controller{{"lqr", "linear-quadratic, looks ahead along the path, both gears", true, true},
-               lqr},
-    Controller{{"pure-pursuit", "an arc to a place ahead on the path, both gears", true, false},
+    Controller{{"rear-axle-feedback", "feedback on the rear axle, both gears", true, false},
+               rear_axle_feedback},
+    Controller{{"lqr", "linear-quadratic with preview, both gears", true, true}, lqr},
+    Controller{{"pure-pursuit", "arc to a point ahead on the path, both gears", true, false},
                pure_pursuit},
-    Controller{{"stanley", "error of the front axle, forward only", false, false}, stanley},
+    Controller{{"stanley", "feedback on the front axle, forward only", false, false}, stanley},
 };
 
 constexpr auto infos = [] {
@@ -149,9 +148,9 @@ double acceleration(const Sight& sight, double wanted_steering) noexcept {
   const double s = sight.offset.place.s;
   const double left = sight.stroke.length() - s;
   if (left <= 0.0) return -braking;
-  // 1. Does it come to stand within the period?
+  // 1. Does the vehicle come to stand within the period?
   if (2 * left <= v * control_period) return std::max(-v * v / (2 * left), -braking);
-  // 2. The highest speed at the end of the period that the place there allows, and the wheels.
+  // 2. The highest speed at the end of the period that the plan and the wheels allow there.
   const double most = speed_for_wheels(sight, wanted_steering);
   double low = std::max(v - braking * control_period, 0.0);
   double high = v + limits.max_acceleration * control_period;

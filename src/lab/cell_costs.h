@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What does it cost to get into each of the cells that a search has reached?
+// What is the least cost-to-come of each cell that a search has reached?
 
 #include <cstddef>
 #include <cstdint>
@@ -10,11 +10,11 @@
 
 namespace vandplan::search {
 
-/// What it costs at least to get into each cell that was reached; a hash table with open
-/// addressing.
+/// Least cost-to-come of each cell that was reached; a hash table with open addressing.
 class CellCosts {
  public:
-  /// Infinite for a new cell. Holds until the next call. A key is not 0.
+  /// Cost of the cell with that key, which is not 0; infinite for a new cell. The reference is
+  /// valid until the next call.
   [[nodiscard]] double& cost(std::uint64_t key) {
     if (2 * count_ >= cells_.size()) grow();
     Cell& cell = find(key);
@@ -27,7 +27,7 @@ class CellCosts {
 
  private:
   struct Cell {
-    std::uint64_t key = 0;  // 0: free
+    std::uint64_t key = 0;  // key of the cell; 0: the slot is empty
     double cost = std::numeric_limits<double>::infinity();
   };
 

@@ -9,12 +9,12 @@
 namespace vandplan::lattice {
 namespace {
 
-constexpr double rounding = 1e-9;  // [m]
+constexpr double rounding = 1e-9;  // tolerance of lengths [m]
 
-/// A way that might be taken, and the length of what joins it.
+/// An exact piece from the committed part to the end of a leg of a given way.
 struct Offer {
-  double cost;
-  std::size_t leg;  // of the given way, whose end is joined
+  double cost;      // length of the whole way without obstacles [m]
+  std::size_t leg;  // leg at whose end the piece ends
 };
 
 bool is_same(const Leg& a, const Leg& b) {
@@ -38,7 +38,7 @@ bool CommittedDrive::agrees(const std::vector<Leg>& way) const {
 
 void CommittedDrive::follow(std::vector<Leg> way) { way_ = std::move(way); }
 
-// Where the vehicle has to stand next: what is committed ends, or the gear changes.
+// Distance at which the vehicle stops next [m]: end of the committed part, or a gear change.
 double CommittedDrive::next_stop() const {
   double s = 0.0;
   GearSign gear = 0;
@@ -53,7 +53,7 @@ double CommittedDrive::next_stop() const {
   return committed_;
 }
 
-// On full lock, in the gear that is driven next.
+// Largest speed on full lock, in the gear that is driven next [m/s].
 double CommittedDrive::top_speed() const {
   double s = 0.0;
   GearSign gear = 1;
@@ -76,7 +76,7 @@ void CommittedDrive::commit(double time) {
   committed_ = std::max(committed_, std::min(length_of(way_), wanted));
 }
 
-// The new speed is the largest one from which it can still stop in time.
+// The new speed is the largest from which the vehicle can still stop in time.
 void CommittedDrive::drive(double time) {
   const double stop = next_stop();
   const double room = stop - driven_ - speed_ * time / 2;
@@ -121,18 +121,18 @@ std::optional<std::vector<Leg>> CommittedDrive::joined(const std::vector<Leg>& w
   if (agrees(way)) return length_of(way) < cutoff ? std::optional(way) : std::nullopt;
   std::vector<Leg> result = committed_part();
   const std::vector<Leg> bound = result;
-  std::size_t parting = 0;  // so many legs are the same
+  std::size_t parting = 0;  // number of equal first legs
   while (parting < bound.size() && parting < way.size() && is_same(bound[parting], way[parting])) {
     ++parting;
   }
-  // Back to where they part; it is free, as it was driven.
+  // Back to where both ways part. The way back is free, because the committed part is.
   for (std::size_t i = bound.size(); i-- > parting;) {
     const LocalPose begin = i == 0 ? task_.start : bound[i - 1].end;
     result.push_back({reversed(bound[i].piece), begin, -2});
   }
   result.insert(result.end(), way.begin() + static_cast<std::ptrdiff_t>(parting), way.end());
   double best = length_of(result);
-  std::vector<Offer> offers;  // on to a place of the way
+  std::vector<Offer> offers;  // exact pieces to places on `way`
   const LocalPose here = bound.empty() ? task_.start : bound.back().end;
   double rest = 0.0;
   for (std::size_t i = way.size(); i-- > parting;) {

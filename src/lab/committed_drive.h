@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How far has a vehicle come, and how far is it bound to go?
+// How far has a vehicle driven, and which part of its way can no longer change?
 //
-// It drives along a way of which the first metres are committed: they stay as they are, and it can
-// stand still at their end. docs/algorithms/ltba_star.md.
+// The first metres of a way are committed: they stay as they are, and the vehicle can stop at the
+// end of this part. Method: docs/algorithms/ltba_star.md.
 
 #include <optional>
 #include <vector>
@@ -13,32 +13,34 @@
 
 namespace vandplan::lattice {
 
-/// A vehicle on its way.
+/// A simulated vehicle that drives along the committed part of its way.
 class CommittedDrive {
  public:
+  /// The task outlives the drive.
   explicit CommittedDrive(const Task& task);
 
-  /// Whether a way is the one that is driven, as far as that is committed.
+  /// Whether `way` begins with the committed part.
   [[nodiscard]] bool agrees(const std::vector<Leg>& way) const;
-  /// Takes a way that agrees.
+  /// Takes `way`, which must begin with the committed part.
   void follow(std::vector<Leg> way);
-  /// Commits as much as the vehicle needs to go on for a while as fast as it may [s].
+  /// Commits as much of the way as the vehicle needs to accelerate for `time` [s] and then stop.
   void commit(double time);
-  /// Drives for a while [s].
+  /// Moves the vehicle along the committed part for `time` [s].
   void drive(double time);
 
-  /// The cheapest way found that begins with what is committed and ends as a given way does: on to
-  /// one of its places by an exact piece, or back to where they part. None if it costs `cutoff` or
-  /// more [m].
+  /// The cheapest way that begins with the committed part and ends as `way` does. An exact piece
+  /// joins both, or the vehicle drives back to where `way` leaves the committed part. None if the
+  /// cost is `cutoff` or more [m].
   [[nodiscard]] std::optional<std::vector<Leg>> joined(const std::vector<Leg>& way, double cutoff,
                                                        Connector& connector) const;
 
-  /// Whether it can come to a standstill before what is committed ends, and before gears change.
+  /// Whether the vehicle can stop before the committed part ends and before the gear changes.
   [[nodiscard]] bool can_stop() const;
-  /// How much is committed, and how much of that it has driven [m].
+  /// Length of the committed part [m].
   [[nodiscard]] double committed() const { return committed_; }
+  /// Length that the vehicle has driven [m].
   [[nodiscard]] double driven() const { return driven_; }
-  /// How often it had to stand because nothing more was committed.
+  /// Number of stops because nothing more was committed.
   [[nodiscard]] std::int64_t forced_stops() const { return forced_stops_; }
 
  private:
@@ -47,11 +49,11 @@ class CommittedDrive {
   [[nodiscard]] std::vector<Leg> committed_part() const;
 
   const Task& task_;
-  double braking_;  // [m/s^2]
-  std::vector<Leg> way_;
-  double committed_ = 0.0;  // [m]
-  double driven_ = 0.0;     // [m]
-  double speed_ = 0.0;      // [m/s]
+  double braking_;          // largest braking of the vehicle [m/s^2]
+  std::vector<Leg> way_;    // way of the vehicle, from the start
+  double committed_ = 0.0;  // length of the committed part [m]
+  double driven_ = 0.0;     // driven length [m]
+  double speed_ = 0.0;      // current speed [m/s]
   std::int64_t forced_stops_ = 0;
 };
 

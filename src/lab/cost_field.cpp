@@ -11,22 +11,22 @@ namespace vandplan::search {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int nodes_per_step = 64;
+constexpr int nodes_per_step = 64;  // nodes settled between two looks at the clock
 
-/// The neighbours of a node, counter-clockwise; those with even numbers are beside it, the others
-/// across a cell.
+/// Offsets from a node to its neighbours, counter-clockwise. Even numbers: along a side of a cell;
+/// odd numbers: across a cell.
 constexpr std::array<std::array<std::int32_t, 2>, 8> ring = {
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 
-/// The cell between a node and its neighbour of that odd number, as seen from the node.
+/// Offset from a node to the cell between the node and its neighbour `diagonal`, an odd number.
 constexpr std::array<std::int32_t, 2> cell_towards(int diagonal) {
   const auto& [x, y] = ring[static_cast<std::size_t>(diagonal)];
   return {std::min(x, 0), std::min(y, 0)};
 }
 
-/// Cost of the cheapest way from a corner s of a cell of side 1 to the side opposite of it. Letters
-/// of Ferguson and Stentz 2006: values g1 of the corner s1 beside s and g2 of s2 across the cell, c
-/// of a metre in the cell, b of a metre in the one on the other side of s - s1.
+/// Cost of the cheapest way from a corner s of a cell of side 1 through the opposite side s1 - s2.
+/// Letters of Ferguson and Stentz 2006: g1 is the cost at s1 beside s, g2 the cost at s2 across the
+/// cell. c is the cost of a metre in the cell, b in the cell on the other side of s - s1.
 double interpolated(double g1, double g2, double c, double b) {
   if (g1 <= g2) return std::min(c, b) + g1;
   const double f = g1 - g2;
@@ -138,7 +138,7 @@ bool CostField::step() {
   return true;
 }
 
-// A way from the node to the sides of its cells that end at the neighbour `towards`.
+// Lowers the cost of a node by ways through the two sides that end at its neighbour `towards`.
 void CostField::update(const Place& node, int towards) {
   const auto beside = [&](int i) {
     const auto& [x, y] = ring[static_cast<std::size_t>((i + 8) % 8)];
@@ -158,9 +158,8 @@ void CostField::update(const Place& node, int towards) {
   }
 }
 
-// Along each side of the cell, the value is a line: at t metres from its one end it is a + k t, and
-// the way there has sqrt(h^2 + (t - t0)^2) metres of cost c. The least is where k t + c sqrt(...)
-// does not change.
+// Along each side of the cell the cost is linear: a + k t at t metres from one end. The way to this
+// place costs c sqrt(h^2 + (t - t0)^2). The sum is least where its derivative by t is 0.
 void CostField::consider(const Point& from, const Place& cell, Step& best) const {
   const double c = cost_of(cell);
   if (c == infinity) return;
@@ -198,7 +197,7 @@ CostField::Step CostField::best_step(const Point& from) const {
   Step best;
   const Place cell = cell_of(from);
   const Point corner = point_of(cell);
-  const double near = 1e-6 * cells_.side;  // to a line of the lattice: the cells beside it, too
+  const double near = 1e-6 * cells_.side;  // [m]; nearer to a grid line, both its cells count
   for (const std::int32_t y : {0, -1, 1}) {
     if (y == -1 && from.y - corner.y > near) continue;
     if (y == 1 && corner.y + cells_.side - from.y > near) continue;

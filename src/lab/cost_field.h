@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What does the cheapest way to a target cost from anywhere, in any direction, past things that one
-// does not like to be near to?
+// What does the cheapest way of a point to a target cost, if a metre costs more in some cells than
+// in others?
 
 #include <cstdint>
 #include <functional>
@@ -14,31 +14,33 @@
 
 namespace vandplan::search {
 
-/// What the way of a point costs, on cells of a lattice over a box.
+/// A grid of square cells over a box, with a cost per metre in each cell.
 struct CostCells {
-  Bounds box = {};
-  double side = 1.0;  ///< of a cell [m]; > 0
-  /// Of a metre at the centre of a cell: >= 1, infinite where one may not be.
+  Bounds box = {};    ///< box that the grid covers [m]
+  double side = 1.0;  ///< side of a cell [m]; > 0
+  /// Cost of a metre at the centre of a cell; >= 1, infinite in a closed cell.
   std::function<double(const Point&)> cost = {};
 };
 
-/// Costs of ways to a target by Field D* (Ferguson and Stentz 2006): those of the lattice's nodes,
-/// and between two neighbours a line. Found by A* from the target, so only where a way from the
-/// root is likely to come.
+/// Costs of the cheapest ways to a target, by Field D* (Ferguson and Stentz 2006). Each node, a
+/// corner of cells, has a cost; between two neighbours the cost is linear. An A* from the target to
+/// the root settles nodes, so the costs of far nodes stay unknown.
 class CostField {
  public:
-  /// Nothing is settled yet. Target and root lie in the box; their cells are never closed.
+  /// A field without settled nodes. Target and root lie in the box; their cells are never closed.
   CostField(CostCells cells, const Point& target, const Point& root);
 
-  /// Settles some nodes, a few ten microseconds of work. False when there is no more to do.
+  /// Settles up to 64 nodes, some ten microseconds of work. False when the search has ended.
   bool step();
 
-  /// What the way from a point costs [m]; infinite where it is not known.
+  /// Cost of the cheapest way from a point to the target [m]; infinite where it is not known.
   [[nodiscard]] double at(const Point& point) const;
 
-  /// The cheapest way from the root to the target, corners and all; empty if there is none.
+  /// Corners of the cheapest way from the root to the target, both included; empty if there is
+  /// none.
   [[nodiscard]] std::vector<Point> route() const;
 
+  /// Number of settled nodes.
   [[nodiscard]] std::int64_t settled() const noexcept { return settled_; }
 
  private:
@@ -46,14 +48,15 @@ class CostField {
   struct Place {
     std::int32_t x, y;
   };
+  /// A node in the open list.
   struct Open {
-    double rank;
+    double rank;  // cost plus distance to the root [m]
     std::int32_t index;
     bool operator<(const Open& other) const {
       return other.rank < rank || (other.rank == rank && other.index < index);
     }
   };
-  /// Where the way from a point goes on, and what it costs from the point [m].
+  /// First line of the way from a point: its end, and the cost of the whole way to the target [m].
   struct Step {
     Point to = {};
     double cost = std::numeric_limits<double>::infinity();
@@ -68,19 +71,19 @@ class CostField {
   [[nodiscard]] double node_cost(const Place& node) const;
   void reach(const Place& node, double cost);
   void update(const Place& node, int towards);
-  /// The best way on from a point, through the cell.
+  /// Replaces `best` by a cheaper step from a point through the cell, if there is one.
   void consider(const Point& from, const Place& cell, Step& best) const;
   [[nodiscard]] Step best_step(const Point& from) const;
 
   CostCells cells_;
   Point target_, root_;
-  std::int32_t columns_, rows_;  // of nodes
-  std::vector<double> costs_;    // of ways from nodes [m]
+  std::int32_t columns_, rows_;  // numbers of nodes along x and y
+  std::vector<double> costs_;    // costs of the ways from all nodes [m]
   std::vector<bool> is_settled_;
-  mutable std::vector<float> cell_costs_;  // of a metre; negative: not asked yet
+  mutable std::vector<float> cell_costs_;  // cost of a metre in each cell; negative: not computed
   std::priority_queue<Open> open_;
   std::int64_t settled_ = 0;
-  int missing_ = 4;  // nodes of the root's cell that are not settled
+  int missing_ = 4;  // unsettled corners of the root's cell
 };
 
 }  // namespace vandplan::search

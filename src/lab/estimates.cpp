@@ -39,7 +39,7 @@ void from_table(int number, const Tree& tree, const Pose& sample, double radius,
 
 // ---- one gear ----
 
-/// What the table of the thesis with that number covers, with the lengths of Dubins.
+/// A table of Dubins lengths on the grid of the thesis' table `number`.
 HeuristicTable made_dubins_table(int number) {
   const HeuristicTable like = thesis_table(number);
   std::vector<float> entries(like.entries().size());
@@ -69,7 +69,7 @@ float turned(float heading) {
   return heading < 0.0F ? heading + half_turn : heading - half_turn;
 }
 
-/// The nodes and the sample, turned around: what was driven in reverse is driven forward.
+/// Headings of the nodes and the sample, turned by half a turn: reverse becomes forward.
 struct Turned {
   Turned(const Tree& tree, const Pose& to)
       : headings(tree.heading().begin(), tree.heading().end()),
@@ -105,7 +105,7 @@ void forward_lengths(Estimate estimate, const PoseColumns& nodes, const Pose& sa
   }
 }
 
-/// What no path is shorter than.
+/// Writes lower bounds of the lengths [m], in blocks of nodes that fit a buffer.
 void bound(const Tree& tree, const Pose& sample, double radius, std::span<float> lengths) {
   std::array<float, 512> high;
   for (std::size_t i = 0; i < lengths.size(); i += high.size()) {

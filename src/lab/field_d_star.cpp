@@ -26,13 +26,13 @@ using namespace search;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double pi = std::numbers::pi;
-constexpr double dear_within = 2.0;  // vehicle widths beyond the disc
-constexpr int rounds_of_a_side = 4;  // before the cells get finer
-constexpr double windows = 3.0;      // spacings that an edge leads on at most
-constexpr int most_of_a_place = 8;   // poses drawn at each place of a route
+constexpr double dear_within = 2.0;  // room where metres cost more [vehicle widths]
+constexpr int rounds_of_a_side = 4;  // rounds with one cell size
+constexpr double windows = 3.0;      // reach of an edge along the route [spacings]
+constexpr int most_of_a_place = 8;   // poses drawn at each place, after round 0
 
-/// What the disc pays for a metre at a point: infinitely much where it does not fit, more where
-/// the rest of the vehicle may not.
+/// Cost of a metre for the disc inside the vehicle: infinite where the disc does not fit, higher
+/// where the rest of the vehicle may not fit.
 class DiscCost {
  public:
   DiscCost(const Task& task, double near_weight)
@@ -49,7 +49,7 @@ class DiscCost {
   }
 
  private:
-  /// Next to nothing, so that its clearance is that of a point.
+  /// A vehicle of 2 mm, whose clearance stands for that of a point.
   static Vehicle speck() {
     Vehicle speck;
     speck.wheelbase = speck.width = 2e-3;
@@ -58,11 +58,11 @@ class DiscCost {
   }
 
   std::shared_ptr<const CollisionChecker> world_;
-  double disc_, dear_;  // [m]
-  double weight_;
+  double disc_, dear_;  // radius of the disc; room beyond it where metres cost more [m]
+  double weight_;       // surcharge of a metre beside an obstacle
 };
 
-/// A route by its length.
+/// A polyline, whose points are found by their distance from the start.
 class Route {
  public:
   explicit Route(std::vector<Point> points) : points_(std::move(points)), s_(points_.size(), 0.0) {
@@ -74,6 +74,7 @@ class Route {
 
   [[nodiscard]] double length() const { return s_.back(); }
 
+  /// The point at distance `s` from the start [m].
   [[nodiscard]] Point at(double s) const {
     const auto after = std::upper_bound(s_.begin() + 1, s_.end() - 1, s);
     const auto i = static_cast<std::size_t>(after - s_.begin());
@@ -84,7 +85,7 @@ class Route {
     return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
   }
 
-  /// The pose there that looks along the chord from `reach` before it to `reach` after it.
+  /// The pose at distance `s` [m]. It looks along the chord from s - reach to s + reach.
   [[nodiscard]] LocalPose pose_at(double s, double reach) const {
     const Point here = at(s);
     const Point before = at(s - reach);
@@ -94,24 +95,24 @@ class Route {
 
  private:
   std::vector<Point> points_;
-  std::vector<double> s_;  // where each of them lies [m]
+  std::vector<double> s_;  // distance of each point from the start [m]
 };
 
-/// A pose to be driven through, and how the cheapest way there comes.
+/// A pose that a way may pass, and the cheapest way from the start to the pose.
 struct Via {
-  double s = 0.0;  // along the route [m]
+  double s = 0.0;  // distance along the route [m]
   LocalPose pose = {};
-  double cost = infinity;  // [m]
-  std::int32_t from = -1;
+  double cost = infinity;  // cost-to-come [m]; infinite: not reached
+  std::int32_t from = -1;  // previous pose of the way, index; -1: none
 };
 
-/// Poses to be driven through, from the start to the goal.
+/// A way from the start to the goal.
 struct Way {
-  std::vector<Via> vias = {};
-  double cost = infinity;  // [m]
+  std::vector<Via> vias = {};  // poses between start and goal
+  double cost = infinity;      // cost of the way [m]; infinite: there is none
 };
 
-// One run.
+// One run of the planner.
 class Run {
  public:
   Run(const Task& task, const PlanOptions& options)
@@ -129,7 +130,8 @@ class Run {
 
  private:
   [[nodiscard]] bool try_directly();
-  /// Finds a route on cells as large as they may be or finer. False when there is none, or no time.
+  /// Finds a route on the next finer cells that have one. False if no route is known, or the budget
+  /// is spent.
   bool find_route();
   void draw_vias();
   void connect_vias();
@@ -143,13 +145,13 @@ class Run {
   Rng rng_;
   Connector connector_;
   DiscCost cost_;
-  double spacing_;     // of poses along a route [m]
-  double most_cells_;  // of a field
-  double side_;        // of a cell of the next field [m]
-  bool is_finest_ = false;
+  double spacing_;          // distance of poses along a route [m]
+  double most_cells_;       // largest number of cells of a field
+  double side_;             // cell size of the next field [m]
+  bool is_finest_ = false;  // whether the last field had the finest cells
   std::optional<Route> route_;
-  std::int64_t settled_ = 0;  // nodes of all fields
-  std::int64_t expanded_ = 0;
+  std::int64_t settled_ = 0;   // settled nodes of all fields
+  std::int64_t expanded_ = 0;  // poses whose edges were tried
   int round_ = 0;
   std::vector<Via> vias_;
   Way best_;
@@ -194,8 +196,8 @@ bool Run::find_route() {
   return route_.has_value();
 }
 
-// Of the first round: along the route, in either direction. Of later ones: off the route, ever
-// further, with the best way's poses among them.
+// Draws poses. First round: along the route, looking ahead or back. Later rounds: at random, ever
+// further off the route, and the poses of the best way.
 void Run::draw_vias() {
   vias_.assign(1, {0.0, task_.start, 0.0, -1});
   const double length = route_->length();
@@ -224,7 +226,7 @@ void Run::draw_vias() {
   vias_.push_back({length, task_.goal});
 }
 
-// The cheapest way to each pose, in their order along the route.
+// Finds the cheapest way to each pose, in the order of the poses along the route.
 void Run::connect_vias() {
   const double reach = windows * spacing_;
   for (std::size_t i = 0; i + 1 < vias_.size(); ++i) {
@@ -273,7 +275,7 @@ std::vector<Segment> Run::segments() {
   return merged(all);
 }
 
-// The cheapest ways of this round.
+// Tree of the cheapest ways to the poses of this round.
 TreeSnapshot Run::tree() const {
   TreeSnapshot tree;
   std::vector<std::int32_t> place(vias_.size(), -1);
@@ -327,33 +329,33 @@ PlannerAnswer Run::plan() {
 
 Planner planner() {
   return {.name = "field-d-star",
-          .summary = "route by Field D*, driven along through poses beside it",
+          .summary = "Field D* route, followed through poses beside it",
           .properties = {.family = "field-d-star",
                          .honours_gears = true,
                          .anytime = true,
                          .groups = {"family"}},
           .options = {{.name = "cell",
-                       .summary = "side of the first field's cells [m]",
+                       .summary = "cell size of the first field [m]",
                        .standard = 1.0,
                        .least = 0.05,
                        .most = 100},
                       {.name = "max_cells",
-                       .summary = "of a field",
+                       .summary = "largest number of cells",
                        .standard = std::int64_t{4'000'000},
                        .least = 100,
                        .most = 16'000'000},
                       {.name = "near_weight",
-                       .summary = "what a metre beside an obstacle costs the route more",
+                       .summary = "extra cost of a metre of route beside an obstacle",
                        .standard = 3.0,
                        .least = 0,
                        .most = 1000},
                       {.name = "spacing",
-                       .summary = "of poses along the route [turning radii]",
+                       .summary = "distance of poses along the route [turning radii]",
                        .standard = 1.0,
                        .least = 0.05,
                        .most = 100},
                       {.name = "keep_tree",
-                       .summary = "return the poses of the round that found the path as well",
+                       .summary = "return the poses of the successful round",
                        .standard = false}},
           .function = [](const Task& task, const PlanOptions& options) {
             return Run(task, options).plan();

@@ -13,7 +13,7 @@ using namespace search;
 
 namespace {
 
-/// Whether a table of the thesis ranks.
+/// Whether the estimate is a table of the thesis.
 bool is_table(Estimate estimate) {
   return estimate == Estimate::hlut_1 || estimate == Estimate::hlut_2 ||
          estimate == Estimate::hlut_3 || estimate == Estimate::hlut_4;
@@ -69,7 +69,7 @@ std::optional<Adoption> GrownTree::try_edge(NodeId node, const RigState& to, dou
   return Adoption{node, edge->cost};
 }
 
-// An edge is steered again in the end: it is the same one if nothing cuts the search for it short.
+// Steers without a cutoff, because `keep_way` steers the edge again and must find the same piece.
 std::optional<Adoption> GrownTree::try_rig_edge(NodeId node, const RigState& to, double cutoff) {
   rig_steering_time_.start();
   ++rig_solves_;

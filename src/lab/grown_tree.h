@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What do planners share that grow one tree from the start, sample by sample?
+// What do the planners share that grow one tree from the start, sample by sample?
 
 #include <limits>
 #include <optional>
@@ -16,39 +16,41 @@
 
 namespace vandplan::planning {
 
-/// A parent for a state, and what the state then costs.
+/// A parent for a state, and the state's cost-to-come through this parent [m].
 struct Adoption {
   search::NodeId parent = -1;
   double cost_to_come = std::numeric_limits<double>::infinity();
 };
 
-/// A tree, how its edges are made, and which of its nodes are tried first. With a trailer nodes are
-/// states of the rig, and edges those of `RigSteering`; nodes are ranked by their states where the
-/// estimate is a table of the thesis, which is the table of rigs then, and else by their poses.
+/// A search tree, with its edges and the ranking of its nodes. With a trailer nodes are states of
+/// the rig, and edges are pieces of `RigSteering`. If the estimate is a table of the thesis, the
+/// table of rigs ranks states instead. Other estimates rank the poses of the vehicle.
 class GrownTree {
  public:
-  /// Of the start alone. The task outlives it.
+  /// A tree of the start alone. The task outlives the tree.
   GrownTree(const Task& task, const PlanOptions& options, search::Estimate estimate,
             search::RankBy by);
 
-  /// The first `count` nodes in order; valid until the next call.
+  /// The first `count` nodes in the ranking for a sample; valid until the next call.
   const std::vector<search::Candidate>& first(std::size_t count, const RigState& sample);
-  /// The edge from a node to a state, if it is free and reaches the state below the cutoff of cost.
+  /// The edge from a node to a state. None if it is not free, or the state's cost-to-come is not
+  /// below `cutoff` [m].
   std::optional<Adoption> try_edge(search::NodeId node, const RigState& to,
                                    double cutoff = std::numeric_limits<double>::infinity());
+  /// Adds a state as a node below its parent.
   search::NodeId add(const RigState& state, const Adoption& adoption);
-  /// Whether the edge to the goal makes a way that can be driven, which is kept then. Without a
-  /// trailer any does. A trailer in reverse runs away from rounding, edge after edge: its way is
-  /// bent until it ends at the goal, and looked at again.
+  /// Keeps the way over an edge to the goal. False if the way cannot be driven, which only happens
+  /// with a trailer: in reverse, rounding errors grow from edge to edge. So the way is bent until
+  /// it ends exactly at the goal, and checked again.
   bool keep_way(const Adoption& to_goal);
-  /// What the task wants to reach.
+  /// State at the goal of the task.
   [[nodiscard]] RigState goal() const { return {task_.goal, task_.hitch_angles.goal}; }
   [[nodiscard]] bool is_full() const { return tree_.size() >= max_nodes_; }
   [[nodiscard]] const search::Tree& nodes() const { return tree_; }
 
-  /// Fills in what was found, counted and measured, and the tree if it is wanted; `best` is the
-  /// node before the goal whose way was kept last, if there is one, and `unsolved` the status if
-  /// there is none.
+  /// Fills in status, segments, counters, times, and the tree if the options ask for it. `best`:
+  /// the parent of the goal on the last kept way; -1 if there is none. `unsolved`: status without a
+  /// way.
   void report(const PlanOptions& options, const Adoption& best, PlanStatus unsolved,
               PlannerAnswer& answer);
 
@@ -64,13 +66,13 @@ class GrownTree {
   search::Tree tree_;
   search::Ranking ranking_;
   search::PhaseTimer ranking_time_;
-  // With a trailer:
+  // The members below are used with a trailer only.
   std::optional<RigSteering> rig_;
-  std::optional<RigTable> rig_table_;    // if it ranks,
-  std::vector<RigTable::Place> places_;  // all nodes,
-  std::vector<float> lengths_;           // and their lengths to a sample [m]
-  std::vector<double> hitch_angles_;     // of all nodes [rad]
-  std::vector<Segment> way_;             // to the goal, if one is kept
+  std::optional<RigTable> rig_table_;    // table that ranks the nodes; none: poses rank them
+  std::vector<RigTable::Place> places_;  // place of each node in the table
+  std::vector<float> lengths_;           // length from each node to a sample [m]
+  std::vector<double> hitch_angles_;     // hitch angle of each node [rad]
+  std::vector<Segment> way_;             // segments of the kept way; empty: there is none
   std::int64_t rig_solves_ = 0, rig_checks_ = 0;
   search::PhaseTimer rig_steering_time_, rig_checking_time_;
 };

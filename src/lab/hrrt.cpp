@@ -16,7 +16,7 @@ namespace {
 using namespace search;
 using planning::Adoption, planning::GrownTree;
 
-// How good the paths through nodes are, as far as the estimate to the goal can tell.
+// Quality of the paths through nodes, by cost-to-come plus estimated cost-to-go.
 class Quality {
  public:
   Quality(const Task& task, const PlanOptions& options)
@@ -31,12 +31,14 @@ class Quality {
     if (std::isfinite(costs_.back())) worst_ = std::max(worst_, costs_.back());
   }
 
-  /// Cost-to-come and estimate to the goal [m].
+  /// Cost-to-come plus estimated cost-to-go of a node [m].
   [[nodiscard]] double cost_through(NodeId node) const {
     return costs_[static_cast<std::size_t>(node)];
   }
 
-  /// Probability to pass: 1 for a path as short as the estimate from the start, less for others.
+  /// Probability that a node passes: 1 if the path through the node is as short as the estimate
+  /// from the start, less for longer paths. The floor bounds it from below, or with `min` from
+  /// above.
   [[nodiscard]] double of(NodeId node) const {
     const double best = costs_.front();
     const double quality =
@@ -49,10 +51,10 @@ class Quality {
   double floor_;
   bool reads_max_;
   std::vector<double> costs_;
-  double worst_ = 0.0;  // of all nodes [m]
+  double worst_ = 0.0;  // largest finite cost through a node [m]
 };
 
-// Step [4].
+// Step [4]: selects a parent among the nodes near a sample; none if no node passes.
 std::optional<NodeId> select(Selection selection, const std::vector<Candidate>& near,
                              const Quality& quality, Rng& rng) {
   const auto passes = [&](NodeId node) { return uniform01(rng) < quality.of(node); };
@@ -67,8 +69,8 @@ std::optional<NodeId> select(Selection selection, const std::vector<Candidate>& 
 }
 
 // Heuristically guided trees, Urmson & Simmons 2003. The cost through a node is its cost-to-come
-// and the estimate from it to the goal; its quality is 1 where that is no more than the start's
-// and falls to 0 at the most of all nodes.
+// plus its estimated cost-to-go. The quality of a node is 1 at the start's cost and falls linearly
+// to 0 at the largest cost of all nodes.
 //
 //   [1] tree := {start}
 //   until the budget is spent or the tree is full:
@@ -126,22 +128,22 @@ std::vector<OptionInfo> options(Selection selection) {
   all.insert(all.end(), {planning::region_option(), planning::goal_bias_option()});
   if (selection != Selection::nearest) {
     all.push_back({.name = "k",
-                   .summary = "nodes near a sample that are looked at",
+                   .summary = "nearest nodes asked per sample",
                    .standard = std::int64_t{5},
                    .least = 1,
                    .most = 10'000});
   }
   all.push_back({.name = "floor",
-                 .summary = "probability that lets a node of no quality pass",
+                 .summary = "floor of the probability that a node passes",
                  .standard = 0.1,
                  .least = 0,
                  .most = 1});
   all.push_back({.name = "floor_reading",
-                 .summary = "of quality and floor: the larger counts, or the smaller",
+                 .summary = "larger or smaller value of quality and floor",
                  .standard = std::string("max"),
                  .words = {"max", "min"}});
   all.push_back({.name = "ranking",
-                 .summary = "what says which nodes are near",
+                 .summary = "distance that ranks the nodes",
                  .standard = std::string("reeds-shepp"),
                  .words = {estimate_names.begin(), estimate_names.end()}});
   all.insert(all.end(), {planning::max_nodes_option(5000), planning::try_goal_option(false),
@@ -153,7 +155,7 @@ std::vector<OptionInfo> options(Selection selection) {
 
 Planner planner(Selection selection) {
   Planner made{.name = "hrrt",
-               .summary = "RRT that grows from nodes on good paths: the nearest, if it is good",
+               .summary = "RRT that prefers nodes on good paths: the nearest, if it is good",
                .properties = {.family = "hrrt",
                               .strategy = "nearest",
                               .honours_gears = true,
@@ -166,11 +168,11 @@ Planner planner(Selection selection) {
                }};
   if (selection == Selection::first_of_k) {
     made.name = "ikrrt";
-    made.summary = "RRT that grows from nodes on good paths: the first good one of the k nearest";
+    made.summary = "RRT that prefers nodes on good paths: the first good one of the k nearest";
     made.properties.strategy = "first-of-k";
   } else if (selection == Selection::best_of_k) {
     made.name = "bkrrt";
-    made.summary = "RRT that grows from nodes on good paths: the best of the k nearest, if good";
+    made.summary = "RRT that prefers nodes on good paths: the best of the k nearest, if good";
     made.properties.strategy = "best-of-k";
   }
   return made;

@@ -8,14 +8,14 @@
 
 namespace vandplan::hrrt {
 
-/// Which of the nodes near a sample are tested for their quality.
+/// Nodes near a sample whose quality is tested.
 enum class Selection {
-  nearest,     ///< hRRT: the nearest alone
-  first_of_k,  ///< IkRRT: the k nearest, one by one, until one passes
-  best_of_k    ///< BkRRT: the best of the k nearest alone
+  nearest,     ///< hRRT: the nearest node alone
+  first_of_k,  ///< IkRRT: the k nearest nodes, one by one, until one passes
+  best_of_k    ///< BkRRT: the best of the k nearest nodes alone
 };
 
-/// Name, properties, options and function.
+/// The planner "hrrt", "ikrrt" or "bkrrt", by the selection.
 [[nodiscard]] Planner planner(Selection selection);
 
 }  // namespace vandplan::hrrt

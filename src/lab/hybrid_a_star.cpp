@@ -26,44 +26,44 @@ namespace {
 using namespace search;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double rounding = 1e-9;     // of a bound, relative
-constexpr double reach_of_field = 4;  // of the Voronoi field [vehicle widths]
+constexpr double rounding = 1e-9;     // relative rounding error of a bound
+constexpr double reach_of_field = 4;  // reach of the Voronoi potential [vehicle widths]
 
-/// A pose that was reached: the way to it is free and paid for.
+/// A reached pose, whose way from the start is free.
 struct Node {
   LocalPose pose;
-  Segment segment;  // from the parent
+  Segment segment;  // segment from the parent
   double cost_to_come;
-  double to_go;         // estimated
-  std::int32_t parent;  // -1 for the start
+  double to_go;         // estimated cost-to-go
+  std::int32_t parent;  // index of the parent; -1: this is the start
 };
 
-/// A segment that is driven, and where it leads to from the origin.
+/// A segment, and the pose to which it leads from the origin.
 struct Step {
   Segment segment;
   Pose shape;
 };
 
-/// A node that waits for its turn. Ties go to the younger one.
+/// A node in the open list. Ties go to the younger node.
 struct Entry {
   double rank;
   std::int32_t node;
-  bool operator<(const Entry& other) const {  // a queue has its greatest in front
+  bool operator<(const Entry& other) const {  // the largest entry comes first
     return rank != other.rank ? rank > other.rank : node < other.node;
   }
 };
 
-/// How often steps and cells are halved at most.
+/// Largest number of halvings of steps and cells.
 constexpr int most_halvings = 2;
 
-/// A way to the goal: to a node, and from there on open ground.
+/// A path to the goal: along the tree to a node, then by an exact piece.
 struct Found {
   std::int32_t node = -1;
   Piece last = {};
   double cost = infinity;
 };
 
-// One search: nodes, cells, and the list of nodes that wait.
+// One search: its nodes, its cells and its open list.
 class Search {
  public:
   Search(const Task& task, const PlanOptions& options)
@@ -82,19 +82,19 @@ class Search {
     is_variable_ = options.planner.flag("variable_step");
     if (is_variable_ || voronoi_weight_ > 0.0) voronoi_.emplace(task, cell_);
     for (int halvings = 0; halvings <= most_halvings; ++halvings) make_steps(halvings);
-    nodes_.push_back({task.start, {}, 0.0, 0.0, -1});  // whatever the estimate
+    nodes_.push_back({task.start, {}, 0.0, 0.0, -1});  // the start waits whatever its estimate
     open_.push({0.0, 0});
   }
 
-  // Step [1], some more of it; false when there is no more to prepare.
+  // A part of step [1]: computes the Voronoi field. False when the field is complete or not needed.
   bool prepare() { return voronoi_ && voronoi_->step(); }
 
   [[nodiscard]] const Found& found() const { return found_; }
-  // Whether nothing beats what was found, obstacles or not.
+  // Whether the best path is as cheap as the cheapest path without obstacles.
   [[nodiscard]] bool is_shortest() const { return is_shortest_; }
   [[nodiscard]] bool is_full() const { return nodes_.size() >= max_nodes_; }
 
-  // Steps [2] and [3]: the node that is expanded next; none if no other could lead to less.
+  // Steps [2] and [3]: the node that is expanded next; none if no node can lead to a cheaper path.
   std::optional<std::int32_t> next() {
     while (!open_.empty() && !is_shortest_) {
       const auto [rank, id] = open_.top();
@@ -103,13 +103,14 @@ class Search {
       const Node& node = at(id);
       double& least = cells_.cost(key_of(node));
       if (node.cost_to_come > least || node.cost_to_come + node.to_go >= found_.cost) continue;
-      least = -infinity;  // closed: whoever comes later costs more
+      least = -infinity;  // closed: no later pose costs less
       return id;
     }
     return std::nullopt;
   }
 
-  // Step [4]: the exact way from a node to the goal. True if it is the cheapest one so far.
+  // Step [4]: tries the exact piece from a node to the goal. True if it makes the best path
+  // cheaper.
   bool shoot(std::int32_t id) {
     if (--until_shot_ > 0) return false;
     const Node& node = at(id);
@@ -126,7 +127,7 @@ class Search {
     return true;
   }
 
-  // Steps [5] to [7]: full lock to either side and straight on, in both gears.
+  // Steps [5] to [7]: drives a step from a node to either side and straight on, in both gears.
   void expand(std::int32_t id) {
     ++expansions_;
     if (keeps_tree_) keep(id);
@@ -149,7 +150,7 @@ class Search {
     return estimate_.is_admissible && std::isinf(estimate_.length(task_.start));
   }
 
-  // The way that was found: legs of as many steps as a piece holds, and the last one.
+  // The best path as a route: legs of as many steps as a piece holds, then the exact piece.
   [[nodiscard]] Route route() const {
     std::vector<std::int32_t> branch;
     for (std::int32_t id = found_.node; at(id).parent >= 0; id = at(id).parent) {
@@ -165,7 +166,7 @@ class Search {
   [[nodiscard]] Connector& connector() { return connector_; }
   [[nodiscard]] bool keeps_to_middle() const { return voronoi_weight_ > 0.0; }
 
-  // What a route counts for: its cost, and what being beside the middle adds.
+  // Cost of a route plus its surcharge for leaving the middle between obstacles [m].
   [[nodiscard]] double measure(const Route& route) const {
     return cost_of(connector_.rule(), route) + aside(route.start, path_of(route).segments);
   }
@@ -182,7 +183,7 @@ class Search {
     answer.lower_bound = std::isfinite(least) ? least * (1 - rounding) : 0.0;
     const CostRule& rule = connector_.rule();
     if (rule.allows_both()) return;
-    // A path may end beside the goal, as the judge allows, and be shorter by that.
+    // The judge lets a path end slightly beside the goal, so it may be shorter by the leeway.
     const double leeway = anytime::open_ground(task_, rule).leeway;
     answer.lower_bound =
         std::max(std::min(answer.lower_bound, estimate_.length(task_.start)) - leeway, 0.0);
@@ -212,14 +213,14 @@ class Search {
     legs.back().end = node.pose;
   }
 
-  // Whole cells of heading, and out of the cell of position.
+  // Length of a step [m]: as wanted, or else out of the cell and a turn by whole heading cells.
   [[nodiscard]] double step_of(double wanted) const {
     const double unit = turn() * connector_.radius();
     const double least = wanted > 0.0 ? wanted : std::sqrt(2.0) * cell_;
     return wanted > 0.0 ? wanted : std::ceil(least / unit) * unit;
   }
 
-  // Full lock to either side and straight on, in both gears.
+  // Makes the steps of a halving: full lock to either side and straight on, in the allowed gears.
   void make_steps(int halvings) {
     const double step = std::ldexp(step_, -halvings);
     for (const double curvature : {1 / connector_.radius(), 0.0, -1 / connector_.radius()}) {
@@ -231,7 +232,8 @@ class Search {
     }
   }
 
-  // Dolgov's step is a tenth of the room between things, and from 0.2 to 1 m long.
+  // Number of halvings at a pose. Dolgov's step is a tenth of the room between obstacles, and from
+  // 0.2 to 1 m long.
   [[nodiscard]] std::size_t halvings_at(const Pose& pose) const {
     if (!is_variable_) return 0;
     const auto [obstacle, middle] = voronoi_->at({pose.x, pose.y});
@@ -245,8 +247,8 @@ class Search {
     return last_driven(node.segment);
   }
 
-  // Headings count from the start's, so that arcs of whole cells end in the middle of one. How the
-  // vehicle came there matters as far as it changes what going on costs.
+  // Key of a node's cell. Headings count from the start's heading, so that arcs end in the middle
+  // of a heading cell. Gear and steering side are part of the key if prices depend on them.
   [[nodiscard]] std::uint64_t key_of(const Node& node) const {
     const auto index = [](double value) {
       return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(value)));
@@ -272,14 +274,14 @@ class Search {
     return std::max(length, connector_.least_cost(node.pose, task_.goal, {driven_to(node), {}}));
   }
 
-  // What being beside the middle adds along segments [m].
+  // Surcharge along segments for leaving the middle between obstacles [m].
   [[nodiscard]] double aside(const Pose& from, std::span<const Segment> segments) const {
     if (voronoi_weight_ == 0.0) return 0.0;
     const double falloff = task_.vehicle.width;
     return voronoi_weight_ * voronoi_->along(from, segments, {falloff, reach_of_field * falloff});
   }
 
-  // Steps [6] and [7]: adds the node unless its cell was reached for less, or the way is blocked.
+  // Steps [6] and [7]: adds a node unless its cell was reached at less cost, or the way is blocked.
   void open(Node node) {
     if (node.cost_to_come >= found_.cost) return;
     double& least = cells_.cost(key_of(node));
@@ -290,13 +292,13 @@ class Search {
                          aside(from, std::span(&node.segment, 1));
     if (node.cost_to_come >= least) return;
     node.to_go = to_go(node);
-    if (!(node.cost_to_come + node.to_go < found_.cost)) return;  // infinite, too
+    if (!(node.cost_to_come + node.to_go < found_.cost)) return;  // drops infinite costs, too
     least = node.cost_to_come;
     open_.push({least + weight_ * node.to_go, static_cast<std::int32_t>(nodes_.size())});
     nodes_.push_back(node);
   }
 
-  // Nodes of the tree that is shown are those that were expanded, in that order.
+  // Adds an expanded node to the tree of the answer.
   void keep(std::int32_t id) {
     place_.resize(nodes_.size(), -1);
     place_[static_cast<std::size_t>(id)] = static_cast<std::int32_t>(tree_.poses.size());
@@ -311,7 +313,7 @@ class Search {
   double cell_;
   int headings_;
   double step_;
-  std::array<std::vector<Step>, most_halvings + 1> steps_;  // by how often they are halved
+  std::array<std::vector<Step>, most_halvings + 1> steps_;  // steps by the number of halvings
   std::optional<VoronoiField> voronoi_;
   bool is_variable_ = false;
   double weight_;
@@ -329,11 +331,11 @@ class Search {
   std::int64_t shots_ = 0;
   std::int64_t expansions_ = 0;
   TreeSnapshot tree_;
-  std::vector<std::int32_t> place_;  // of a node in `tree_`
+  std::vector<std::int32_t> place_;  // position of each node in `tree_`; -1: none
 };
 
-// Step [8]. Who keeps to the middle shortens what the route counts for, and shows its cost in the
-// end.
+// Step [8]: shortens the best path. With a Voronoi weight trials are compared by `measure`, and
+// only the final cost is traced.
 template <typename Trace>
 std::vector<Segment> shortened(Search& search, Budget& budget, const PlanOptions& options,
                                const Trace& trace) {

@@ -8,10 +8,11 @@
 
 namespace vandplan::hybrid {
 
+/// The planner "hybrid-a-star".
 [[nodiscard]] Planner planner();
 
-/// Searches from the start until nothing that is left could lead to a cheaper path, as far as the
-/// weighted estimate tells, or the budget is spent. Expects start and goal to be free.
+/// Searches from the start until the budget is spent, or the cost-to-come + weight * estimate of
+/// every waiting node reaches the cost of the best path. Start and goal must be free.
 [[nodiscard]] PlannerAnswer plan(const Task& task, const PlanOptions& options);
 
 }  // namespace vandplan::hybrid

@@ -25,7 +25,7 @@ namespace {
 using rrt::Strategy;
 using search::Estimate;
 
-/// Which node becomes a parent.
+/// A strategy that chooses parents, and its part of a planner's name and summary.
 struct Choice {
   Strategy strategy;
   const char* name;
@@ -36,13 +36,13 @@ constexpr std::array choices = {
     Choice{Strategy::nearest, "bsc", "RRT, parent = nearest node by "},
     Choice{Strategy::least_total_cost, "opt", "RRT, parent = least total path cost, ranked by "}};
 
-/// What ranks nodes.
+/// An estimate that ranks nodes, and its part of a planner's name and summary.
 struct Ranking {
   Estimate estimate;
-  const char* name;      ///< in the planner's name
-  const char* property;  ///< its `PlannerProperties::estimate`
+  const char* name;      ///< part of the planner's name
+  const char* property;  ///< value of `PlannerProperties::estimate`
   const char* summary;
-  bool in_thesis;  ///< one of the thesis' five
+  bool in_thesis;  ///< whether it is one of the thesis' five estimates
 };
 
 constexpr std::array rankings = {

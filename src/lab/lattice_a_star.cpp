@@ -11,14 +11,14 @@
 namespace vandplan::lattice {
 namespace {
 
-/// Weights of the rounds: from the first one down to the last one.
+/// Weights of the rounds: `first`, then smaller by `step` in each round, down to `last`.
 struct Weights {
   double first, step, last;
 };
 
-/// What is known when a search has ended.
+/// Result that a search has proven.
 struct Proof {
-  double factor = 0.0;  ///< best way / shortest way over the lattice, at most; 0: nothing is known
+  double factor = 0.0;  ///< upper bound of best way / shortest way over the lattice; 0: none
 };
 
 void conclude(const Task& task, const CostRule& rule, const Search& search, const Proof& proof,
@@ -27,7 +27,7 @@ void conclude(const Task& task, const CostRule& rule, const Search& search, cons
   if (!std::isfinite(search.best())) return;
   answer.status = PlanStatus::solved;
   answer.segments = segments_of(search.best_way());
-  // In one gear a path may end beside the goal, as the judge allows, and be shorter by that.
+  // In one gear the bound is less by a leeway: the judge lets a path end slightly beside the goal.
   answer.lower_bound = rule.is_length()
                            ? length_on_open_ground(task)
                            : anytime::least_cost(anytime::open_ground(task, rule), rule, 0.0);
@@ -108,13 +108,14 @@ std::vector<OptionInfo> with_shared(std::vector<OptionInfo> own) {
 }  // namespace
 
 std::vector<OptionInfo> a_star_options() {
-  return with_shared({weight_option("weight", "of the estimate; 1 finds the shortest way", 1, 1)});
+  return with_shared({weight_option("weight", "weight of the estimate, 1: shortest path", 1, 1)});
 }
 
 std::vector<OptionInfo> ara_star_options() {
-  return with_shared({weight_option("first_weight", "of the estimate, in the first round", 3, 1),
-                      weight_option("weight_step", "by which it falls each round", 0.5, 0.01),
-                      weight_option("last_weight", "of the estimate, in the last round", 1, 1)});
+  return with_shared(
+      {weight_option("first_weight", "weight of the estimate in the first round", 3, 1),
+       weight_option("weight_step", "decrease of the weight per round", 0.5, 0.01),
+       weight_option("last_weight", "weight of the estimate in the last round", 1, 1)});
 }
 
 PlannerAnswer plan_a_star(const Task& task, const PlanOptions& options) {

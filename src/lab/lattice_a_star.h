@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which way over a lattice is the shortest, or at most so many times as long?
+// Which way over a lattice is the shortest, or longer by a known factor at most?
 //
-// docs/algorithms/lattice.md.
+// Method: docs/algorithms/lattice.md.
 
 #include <vector>
 
@@ -11,14 +11,15 @@
 
 namespace vandplan::lattice {
 
-/// "weight", and those that all searches over a lattice have.
+/// Options of A*: "weight", and the options of every lattice search.
 [[nodiscard]] std::vector<OptionInfo> a_star_options();
-/// "first_weight", "weight_step", "last_weight", and those that all searches over a lattice have.
+/// Options of ARA*: "first_weight", "weight_step", "last_weight", and the options of every lattice
+/// search.
 [[nodiscard]] std::vector<OptionInfo> ara_star_options();
 
-/// One search with one weight.
+/// Plans by A*: one search with one weight.
 [[nodiscard]] PlannerAnswer plan_a_star(const Task& task, const PlanOptions& options);
-/// Rounds with falling weights, each of which goes on from the one before.
+/// Plans by ARA*: rounds with falling weights, each of which continues the previous round.
 [[nodiscard]] PlannerAnswer plan_ara_star(const Task& task, const PlanOptions& options);
 
 }  // namespace vandplan::lattice

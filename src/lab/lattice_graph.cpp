@@ -15,11 +15,11 @@
 namespace vandplan::search {
 namespace {
 
-constexpr double joint_reach = 1.25;     // of a piece from the start [turning radii]
-constexpr double rounding = 1e-9;        // of a curvature, relative
-constexpr double farthest_vertex = 1e8;  // from the goal that is thought of [steps]
+constexpr double joint_reach = 1.25;     // longest piece from the start [turning radii]
+constexpr double rounding = 1e-9;        // relative rounding error of a curvature
+constexpr double farthest_vertex = 1e8;  // largest distance from the goal [steps]
 
-/// The primitives of radius 1 for another one.
+/// Primitives for a turning radius [m], scaled from those for 1 m.
 std::shared_ptr<const Primitives> scaled(const Primitives& unit, double radius) {
   std::vector<Primitive> all(unit.all().begin(), unit.all().end());
   for (Primitive& primitive : all) {
@@ -45,7 +45,7 @@ std::shared_ptr<const Primitives> driven_in(const Primitives& primitives, Allowe
       primitives.step(), std::vector<double>(headings.begin(), headings.end()), std::move(all));
 }
 
-/// For a turning radius of 1 m, made once.
+/// Primitives for a turning radius of 1 m, made once in a process.
 std::shared_ptr<const Primitives> unit_primitives(AllowedGears gears) {
   static const std::shared_ptr<const Primitives> both = make_primitives(1.0);
   static const auto forward = driven_in(*both, AllowedGears::forward);
@@ -133,7 +133,7 @@ std::vector<Joint> LatticeGraph::joints(const Pose& start) const {
       }
     }
   }
-  // From a vertex to the start it is as far as from the start to the vertex.
+  // The Reeds-Shepp length from a vertex to the start equals that from the start to the vertex.
   std::vector<float> lengths(vertices.size());
   reeds_shepp_lengths({x, y, heading}, Pose{}, radius_, lengths);
   const CostRule rule = restricted({}, parts_.gears);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Where are the vertices of a lattice in a task, and what leads from one to the next?
+// Where are the vertices of a lattice in a task, and which primitives join them?
 //
-// The lattice is laid so that the goal is its vertex at the origin: what ends there ends at the
-// goal exactly, and one table of ways to one vertex serves every task.
+// The goal is the lattice's vertex at the origin. So ways over the lattice end exactly at the goal,
+// and one table of ways to the origin serves every task.
 
 #include <functional>
 #include <memory>
@@ -18,22 +18,22 @@
 
 namespace vandplan::search {
 
-/// Primitives for a task, with their table of ways.
+/// Primitives for a task, with the table of shortest ways over them.
 struct LatticeParts {
   std::shared_ptr<const Primitives> primitives;
   std::shared_ptr<const LatticeTable> table;  ///< null if making it was interrupted
-  double table_scale = 1.0;                   ///< a length of the table in metres
-  AllowedGears gears = AllowedGears::both;    ///< in which the primitives are driven
+  double table_scale = 1.0;                   ///< metres per unit of the table's lengths
+  AllowedGears gears = AllowedGears::both;    ///< gears in which the primitives are driven
 };
 
-/// The primitives of `make_primitives` for the vehicle, those in the allowed gears; they and their
-/// table are computed once in a process, for radius 1.
+/// The primitives of `make_primitives` in the allowed gears, scaled to the vehicle. Primitives and
+/// table are computed once in a process, for a turning radius of 1 m.
 [[nodiscard]] LatticeParts standard_lattice(const Task& task,
                                             const std::function<bool()>& is_interrupted,
                                             AllowedGears gears = AllowedGears::both);
 
-/// Given primitives, those in the allowed gears. Throws InputError naming "primitives" when they
-/// turn more sharply than the vehicle can, or when there is none.
+/// The given primitives in the allowed gears. Throws InputError naming "primitives" when they turn
+/// more sharply than the vehicle can, or when none of them is left.
 [[nodiscard]] LatticeParts given_lattice(const Task& task,
                                          std::shared_ptr<const Primitives> primitives,
                                          const std::function<bool()>& is_interrupted,
@@ -48,27 +48,29 @@ struct Joint {
 /// A lattice laid through the goal of a task.
 class LatticeGraph {
  public:
-  /// What a search reads of a primitive.
+  /// A primitive as the search sees it.
   struct Move {
-    std::int32_t dx, dy, to;
-    double length;  ///< [m]
+    std::int32_t dx, dy, to;  ///< change of x and y [steps]; index of the end heading
+    double length;            ///< length of the primitive [m]
   };
 
   LatticeGraph(const Task& task, LatticeParts parts);
 
   [[nodiscard]] const Vertex& goal() const noexcept { return goal_; }
+  /// Pose of a vertex, in the frame of the task.
   [[nodiscard]] LocalPose pose_of(const Vertex& vertex) const noexcept;
-  /// Moves that begin with a heading; `first_move` is the position of the first one in `piece`.
+  /// Moves that begin with a heading (index). `first_move` is the number of the first of these
+  /// moves, and `piece` takes such numbers.
   [[nodiscard]] std::span<const Move> moves(std::int32_t heading) const noexcept;
   [[nodiscard]] std::int32_t first_move(std::int32_t heading) const noexcept;
   [[nodiscard]] const Piece& piece(std::int32_t move) const noexcept {
     return parts_.primitives->all()[static_cast<std::size_t>(move)].piece;
   }
 
-  /// The shortest pieces from a pose to the vertices around it, in the order of the vertices.
+  /// Shortest pieces from a pose to the vertices around the pose, in the order of the vertices.
   [[nodiscard]] std::vector<Joint> joints(const Pose& start) const;
 
-  /// What no way over the lattice from a vertex to the goal is shorter than [m].
+  /// Lower bound of the length of every way over the lattice from a vertex to the goal [m].
   [[nodiscard]] double least_way(const Vertex& vertex) const noexcept;
 
   [[nodiscard]] const LatticeParts& parts() const noexcept { return parts_; }
@@ -78,9 +80,9 @@ class LatticeGraph {
   LatticeParts parts_;
   double radius_;  // turning radius [m]
   Vertex goal_;
-  Pose frame_;  // of the grid, in the frame of the task
-  double sin_, cos_;
-  std::vector<double> headings_;  // in the frame of the task
+  Pose frame_;                    // frame of the grid, in the frame of the task
+  double sin_, cos_;              // sine and cosine of the frame's heading
+  std::vector<double> headings_;  // headings of vertices in the frame of the task [rad]
   std::vector<Move> moves_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-// What guides a search over a lattice, and which options has it?
+// Which estimate guides a search over a lattice, and which options does the search have?
 
 #include <array>
 #include <string>
@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view table_name = "lattice-table";
 constexpr std::string_view none = "none";
 
-/// Estimates that fall along an edge by no more than its length.
+/// Whether an estimate is consistent: along an edge it falls by at most the edge's length.
 bool is_metric(std::string_view name) { return name == "euclid" || name == "reeds-shepp"; }
 
 Guide guide_named(const std::string& name, const Task& task, const PlanOptions& options,
@@ -59,16 +59,14 @@ Ground ground_of(const Task& task, const PlanOptions& options, const Budget& bud
 std::vector<OptionInfo> shared_options() {
   std::vector<OptionInfo> all = planning::estimate_options(table_name);
   for (OptionInfo& option : all) option.words.emplace_back(table_name);
-  all.push_back({.name = "shots",
-                 .summary = "try the exact piece to the goal from some vertices",
-                 .standard = true});
+  all.push_back(
+      {.name = "shots", .summary = "try exact connections to the goal", .standard = true});
   all.push_back({.name = "max_nodes",
-                 .summary = "vertices that the search may find; up to 900 bytes each",
+                 .summary = "largest number of vertices, up to 900 bytes each",
                  .standard = std::int64_t{500'000},
                  .least = 1,
                  .most = 50'000'000});
-  all.push_back(
-      {.name = "keep_tree", .summary = "return the search tree as well", .standard = false});
+  all.push_back({.name = "keep_tree", .summary = "return the search tree", .standard = false});
   return all;
 }
 

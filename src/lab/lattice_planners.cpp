@@ -8,7 +8,8 @@
 namespace vandplan::lattice {
 namespace {
 
-/// The vehicle of LTBA* drives while it searches, and backs out of what it has driven in vain.
+/// A planner over a lattice. LTBA* cannot honour gears: its vehicle drives while the search goes
+/// on, and backs out of a way that was wrong.
 Planner planner(const char* name, const char* summary, std::vector<OptionInfo> options,
                 PlannerAnswer (*function)(const Task&, const PlanOptions&)) {
   return {.name = name,
@@ -27,9 +28,10 @@ Planner planner(const char* name, const char* summary, std::vector<OptionInfo> o
 std::vector<Planner> planners() {
   return {planner("lattice-a-star", "A* over a state lattice of exact primitives", a_star_options(),
                   plan_a_star),
-          planner("lattice-ara-star", "ARA* over a state lattice: falling weights, a proven factor",
+          planner("lattice-ara-star",
+                  "ARA* over a state lattice: falling weights, proven suboptimality",
                   ara_star_options(), plan_ara_star),
-          planner("ltba-star", "A* over a state lattice while the vehicle drives: time-bounded",
+          planner("ltba-star", "time-bounded A* over a state lattice, while the vehicle drives",
                   ltba_star_options(), plan_ltba_star)};
 }
 

@@ -9,7 +9,7 @@
 
 namespace vandplan::lattice {
 
-/// "lattice-a-star", "lattice-ara-star" and "ltba-star".
+/// The planners "lattice-a-star", "lattice-ara-star" and "ltba-star".
 [[nodiscard]] std::vector<Planner> planners();
 
 }  // namespace vandplan::lattice

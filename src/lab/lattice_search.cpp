@@ -13,10 +13,10 @@ namespace vandplan::lattice {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::int32_t border = 1 << 23;  // of the grid [steps]
-constexpr std::size_t first_slots = 1 << 12;
-constexpr int most_looks = 32;        // at edges that are not free, in one step
-constexpr double shot_spacing = 2.0;  // turning radii to go for each expansion between shots
+constexpr std::int32_t border = 1 << 23;      // largest |x| and |y| of a vertex [steps]
+constexpr std::size_t first_slots = 1 << 12;  // slots of the hash table at first
+constexpr int most_looks = 32;                // blocked edges in one step
+constexpr double shot_spacing = 2.0;  // distance to go per expansion between shots [turning radii]
 
 std::size_t hash_of(const Vertex& v) {
   std::uint64_t key = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(v.x)) << 40) ^
@@ -29,7 +29,7 @@ std::size_t hash_of(const Vertex& v) {
 }  // namespace
 
 double length_on_open_ground(const Task& task) {
-  constexpr double slack = 1e-9;  // relative
+  constexpr double slack = 1e-9;  // relative rounding error
   return (1 - slack) * reeds_shepp_length(task.start, task.goal, task.vehicle.min_turning_radius);
 }
 
@@ -95,7 +95,7 @@ void Search::open(const Vertex& vertex, double cost, Id parent, std::int32_t via
   if (end.round != round_) push(id);
 }
 
-// The cheapest one of the others takes its place.
+// Drops the cheapest edge to a vertex. The next cheapest one becomes the first of the list.
 void Search::drop_cheapest(Id id) {
   Node& end = node(id);
   end.waiting = edge(end.waiting).next;
@@ -133,7 +133,7 @@ bool Search::is_free(Node& end, const Edge& edge) {
   const LocalPose pose = graph_.pose_of(end.vertex);
   if (!end.is_free) {
     end.is_free = connector_.is_free(pose);
-    if (!end.is_free) end.cost = -infinity;  // no edge to it is looked at again
+    if (!end.is_free) end.cost = -infinity;  // no edge to this vertex is checked again
   }
   if (!end.is_free) return false;
   const LocalPose from = edge.parent < 0 ? task_.start : graph_.pose_of(node(edge.parent).vertex);
@@ -148,7 +148,7 @@ bool Search::step() {
   return false;
 }
 
-// True if the edge whose turn it is was free: then its end is closed, and expanded.
+// Checks the next edge. True if it is free: then its end is closed and expanded.
 bool Search::look() {
   const Id id = open_.top().node;
   open_.pop();
@@ -188,7 +188,7 @@ void Search::expand(Id id) {
   }
 }
 
-// The exact piece to the goal, the more often the nearer it is.
+// Tries the exact piece from a vertex to the goal, the more often the nearer the goal is.
 void Search::shoot(Id id) {
   if (expansions_ < next_shot_) return;
   const Node& begin = node(id);
@@ -204,7 +204,7 @@ void Search::shoot(Id id) {
 }
 
 void Search::take(std::vector<Leg> way) {
-  const double length = length_of(way);  // parents may have become cheaper since
+  const double length = length_of(way);  // sum, as parents may have become cheaper
   if (length >= best_) return;
   best_ = length;
   best_way_ = std::move(way);

@@ -3,8 +3,9 @@
 #pragma once
 // Which way over a lattice leads to the goal? The search that the lattice planners share.
 //
-// A* that looks at an edge when its turn comes, not when it is found (Cohen, Phillips and Likhachev
-// 2014), with the rounds of ARA* (Likhachev, Gordon and Thrun 2003). docs/algorithms/lattice.md.
+// A* with late edge checks: an edge is checked when it leaves the open list, not when it is found
+// (Cohen, Phillips and Likhachev 2014). Rounds are those of ARA* (Likhachev, Gordon and Thrun
+// 2003). Method: docs/algorithms/lattice.md.
 
 #include <cstdint>
 #include <functional>
@@ -22,95 +23,99 @@ namespace vandplan::lattice {
 
 using namespace search;
 
-/// What guides a search over a lattice to the goal.
+/// Estimated cost-to-go of a search over a lattice.
 struct Guide {
-  std::function<double(const Vertex&)> length;  ///< [m]
-  bool is_admissible = true;  ///< never above the way over the lattice: what is proven holds
-  bool is_consistent = true;  ///< and never falls by more than an edge is long
+  std::function<double(const Vertex&)> length;  ///< estimated way from a vertex to the goal [m]
+  bool is_admissible = true;  ///< whether `length` never exceeds the way over the lattice
+  bool is_consistent = true;  ///< whether `length` falls by at most an edge's length on it
 };
 
-/// The parts of one run; null as graph if making them was interrupted.
+/// Lattice and estimate of one run. `graph` is null if making the lattice was interrupted.
 struct Ground {
   std::unique_ptr<const LatticeGraph> graph;
   Guide guide;
 };
 
-/// Lays the lattice for a task and takes the estimate that complete options name.
+/// Lays the lattice for a task and makes the estimate that the options name. The options are
+/// complete.
 [[nodiscard]] Ground ground_of(const Task& task, const PlanOptions& options, const Budget& budget);
 
-/// What no path of the task is shorter than [m]: the shortest path on open ground, less rounding.
+/// Lower bound of the length of all paths of the task [m]: the shortest path on open ground, less
+/// rounding.
 [[nodiscard]] double length_on_open_ground(const Task& task);
 
-/// A part of a way that a vehicle drives, and where it ends.
+/// A piece of a way, and the pose where it ends.
 struct Leg {
   Piece piece;
   LocalPose end;
-  std::int32_t node = -1;  ///< of the search, at the end; -1: none, it leads to the goal directly
+  std::int32_t node = -1;  ///< vertex of the search at the end; -1: the goal; -2: none
 };
 
 /// A search from the start of a task to its goal.
 class Search {
  public:
   struct Settings {
-    double weight = 1.0;  ///< of the estimate; >= 1
-    bool shots = true;    ///< tries the exact piece to the goal from some vertices
-    std::size_t max_nodes = 500'000;
-    bool keep_tree = false;
+    double weight = 1.0;  ///< weight of the estimate; >= 1
+    bool shots = true;    ///< whether exact pieces from some vertices to the goal are tried
+    std::size_t max_nodes = 500'000;  ///< largest number of vertices
+    bool keep_tree = false;           ///< whether `report` gives the search tree
   };
-  /// A vertex whose turn may come, or has come.
+  /// Index of a vertex that the search has found.
   using Id = std::int32_t;
 
   /// The task and the parts outlive the search.
   Search(const Task& task, const Ground& ground, Connector& connector, const Settings& settings);
 
-  /// Whether an edge is left that may matter in this round. False ends the round.
+  /// Whether an edge is left that may improve the best way in this round. False ends the round.
   [[nodiscard]] bool has_next();
-  /// Takes edges whose turn it is until one is free, at most 32 of them, and goes on from where it
-  /// ends. True when that gave a cheaper way to the goal.
+  /// Takes edges from the open list until one is free, at most 32, and expands the vertex at its
+  /// end. True when that gave a cheaper way to the goal.
   bool step();
-  /// Begins a round with another weight: what improved too late in the last one comes first.
+  /// Begins a round with another weight. Its open list holds the edges that improved a closed
+  /// vertex in the previous round, and those that were left.
   void begin_round(double weight);
 
   [[nodiscard]] bool is_full() const { return nodes_.size() >= settings_.max_nodes; }
   /// Length of the best way to the goal [m]; infinite if there is none.
   [[nodiscard]] double best() const { return best_; }
   [[nodiscard]] const std::vector<Leg>& best_way() const { return best_way_; }
-  /// No way over the lattice costs less [m], if the estimate is admissible.
+  /// Lower bound of the length of all ways over the lattice [m], if the estimate is admissible.
   [[nodiscard]] double lattice_bound() const;
 
-  /// Where the edge whose turn it is begins; none if there is none. Call after `has_next`.
+  /// Vertex where the next edge begins. None if no edge is left, or the edge begins at the start.
+  /// Call after `has_next`.
   [[nodiscard]] std::optional<Id> front() const;
-  /// The way from the start to a vertex whose turn has come.
+  /// The way from the start to a closed vertex.
   [[nodiscard]] std::vector<Leg> way_to(Id node) const;
 
-  /// Counters and the tree.
+  /// Fills in the counters, and the tree if it is kept.
   void report(PlannerAnswer& answer) const;
 
  private:
   struct Node {
     Vertex vertex;
-    Id parent = -1;             // -1: the start
-    std::int32_t via = -1;      // position of the move, or of the joint
-    std::int32_t round = -1;    // in which its turn came
-    std::int32_t shown = -1;    // position in the tree that is kept
-    std::int32_t waiting = -1;  // the cheapest edge that leads here and was not looked at
-    bool is_free = false;       // the vehicle at the vertex, as far as is known
-    double cost = std::numeric_limits<double>::infinity();
-    double to_go = 0.0;
+    Id parent = -1;             // previous vertex; -1: the start
+    std::int32_t via = -1;      // number of the move from the parent, or of the joint
+    std::int32_t round = -1;    // round in which the vertex was closed last; -1: none
+    std::int32_t shown = -1;    // position in the kept tree; -1: none
+    std::int32_t waiting = -1;  // cheapest unchecked edge to the vertex; -1: none
+    bool is_free = false;       // whether the vehicle is known to be free at the vertex
+    double cost = std::numeric_limits<double>::infinity();  // cost-to-come [m]
+    double to_go = 0.0;                                     // estimated cost-to-go [m]
   };
-  // Those that wait for a vertex are a list: the cheapest one, and the others in any order. Only
-  // the cheapest one is in the queue: most of the others are never looked at.
+  // An unchecked edge. The edges to a vertex form a list: the cheapest one first, the others in any
+  // order. Only the cheapest one is in the open list, because most others are never checked.
   struct Edge {
-    double cost;  // of the way to its end
+    double cost;  // cost of the way to the end of the edge [m]
     Id parent;
     std::int32_t via;
-    std::int32_t next;
+    std::int32_t next;  // next edge of the list; -1: none
   };
   struct Entry {
     double rank;
     double cost;
     Id node;
-    bool operator<(const Entry& other) const {  // a queue has its greatest in front
+    bool operator<(const Entry& other) const {  // the largest entry comes first
       if (rank != other.rank) return rank > other.rank;
       return cost != other.cost ? cost < other.cost : node > other.node;
     }
@@ -143,7 +148,7 @@ class Search {
   Settings settings_;
   std::vector<Joint> joints_;
   std::vector<Node> nodes_;
-  std::vector<Id> slots_;  // open addressing; -1 is free
+  std::vector<Id> slots_;  // hash table of vertices, open addressing; -1: empty
   std::vector<Edge> edges_;
   std::priority_queue<Entry> open_;
   std::int32_t round_ = 0;
@@ -155,7 +160,7 @@ class Search {
   TreeSnapshot tree_;
 };
 
-/// The segments of a way, joined.
+/// The segments of a way, merged.
 [[nodiscard]] std::vector<Segment> segments_of(const std::vector<Leg>& way);
 /// Length of a way [m].
 [[nodiscard]] double length_of(const std::vector<Leg>& way);

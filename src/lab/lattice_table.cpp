@@ -13,11 +13,11 @@
 namespace vandplan::search {
 namespace {
 
-constexpr std::int64_t most_entries = 60'000;  // with those that stay empty
-constexpr int look_every = 64;                 // vertices
+constexpr std::int64_t most_entries = 60'000;  // size of a table, unused entries included
+constexpr int look_every = 64;                 // vertices between two calls of `is_interrupted`
 constexpr float unknown = std::numeric_limits<float>::infinity();
 
-/// A primitive that ends with some heading, in the reverse order of driving.
+/// A primitive seen from its end: index of its first heading, steps in x and y, length [m].
 struct Back {
   std::int32_t from, dx, dy;
   float length;
@@ -32,7 +32,8 @@ std::vector<std::vector<Back>> by_end(const Primitives& primitives) {
   return into;
 }
 
-/// Steps in each direction that a table may have, at least those of the longest primitive.
+/// Largest |x| and |y| of a table [steps]: what `most_entries` allows, or the longest primitive if
+/// it is longer; at most 200.
 std::int32_t reach_of(const Primitives& primitives) {
   const auto headings = static_cast<double>(primitives.headings().size());
   const double side = std::sqrt(static_cast<double>(most_entries) / headings);
@@ -40,7 +41,7 @@ std::int32_t reach_of(const Primitives& primitives) {
   return static_cast<std::int32_t>(std::clamp(least, (side - 1) / 2, 200.0));
 }
 
-/// A vertex and the way from it.
+/// A vertex in the open list, and the length of the way from the vertex [m].
 struct Reached {
   float length;
   Vertex vertex;
@@ -66,7 +67,7 @@ LatticeTable::LatticeTable(const Primitives& primitives,
   std::priority_queue<Reached> open;
   const auto reach = [&](const Vertex& vertex, float length) {
     if (static_cast<double>(length) >= most_) return;
-    float& known = lengths_[index_of(vertex)];  // its way is no shorter than to its corner
+    float& known = lengths_[index_of(vertex)];  // in range: a way this short stays within `reach_`
     if (length >= known) return;
     known = length;
     open.push({length, vertex});
@@ -81,7 +82,7 @@ LatticeTable::LatticeTable(const Primitives& primitives,
       reach({last.vertex.x - p.dx, last.vertex.y - p.dy, p.from}, last.length + p.length);
     }
   }
-  // A sum in float may be above the sum of the lengths by some roundings.
+  // A sum in float may exceed the exact sum by some roundings; bounds must not exceed it.
   constexpr float less = 1.0F - 1e-5F;
   most_ *= static_cast<double>(less);
   const auto most = static_cast<float>(most_);
@@ -98,7 +99,7 @@ std::shared_ptr<const LatticeTable> table_of(const Primitives& primitives,
         typeid(LatticeTable), [](const void*) { return true; },
         [&]() -> std::shared_ptr<const void> {
           auto table = std::make_shared<const LatticeTable>(primitives, is_interrupted);
-          if (!table->is_whole()) throw Interrupted();  // so that it is not kept
+          if (!table->is_whole()) throw Interrupted();  // a table that is not whole is not kept
           return table;
         }));
   } catch (const Interrupted&) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How long is the shortest way over a lattice to one vertex, where nothing stands in the way?
+// How long is the shortest way over a lattice to one vertex, without obstacles?
 //
-// Bergman's table of costs-to-go, as a ball instead of a box: it holds every vertex whose way is no
-// longer than `most`, so that what it lacks is known to be further. docs/algorithms/lattice.md,
-// "Table".
+// Bergman's table of costs-to-go, as a ball instead of a box: it holds every vertex whose way is at
+// most `most` long. So a vertex that is missing is known to be further away. Method:
+// docs/algorithms/lattice.md, "Table".
 
 #include <cstdint>
 #include <functional>
@@ -18,9 +18,9 @@ namespace vandplan::search {
 
 /// A vertex of a lattice.
 struct Vertex {
-  std::int32_t x = 0;        ///< [steps]
-  std::int32_t y = 0;        ///< [steps]
-  std::int32_t heading = 0;  ///< index
+  std::int32_t x = 0;        ///< x on the grid [steps]
+  std::int32_t y = 0;        ///< y on the grid [steps]
+  std::int32_t heading = 0;  ///< index of the heading
   bool operator==(const Vertex&) const = default;
 };
 
@@ -28,11 +28,14 @@ struct Vertex {
 /// nearest to 0.
 class LatticeTable {
  public:
-  /// Asks `is_interrupted` about once in a tenth of a millisecond; `is_whole` is false after a yes.
+  /// Computes the table. It asks `is_interrupted` about every 0.1 ms and stops at a yes; then
+  /// `is_whole` is false.
   LatticeTable(const Primitives& primitives, const std::function<bool()>& is_interrupted);
 
+  /// Whether the table was computed to the end.
   [[nodiscard]] bool is_whole() const noexcept { return is_whole_; }
-  /// The way from the vertex [m], rounded down; `most` where it is longer than that.
+  /// Length of the shortest way from the vertex [m], rounded down; `most` if it is longer than
+  /// `most`.
   [[nodiscard]] double length_from(const Vertex& vertex) const noexcept {
     const std::int32_t x = vertex.x + reach_;
     const std::int32_t y = vertex.y + reach_;
@@ -43,9 +46,9 @@ class LatticeTable {
     }
     return static_cast<double>(lengths_[index_of(vertex)]);
   }
-  /// No way that is longer than this is told from another one [m].
+  /// Largest length in the table [m]; longer ways have this length, too.
   [[nodiscard]] double most() const noexcept { return most_; }
-  /// Of how many vertices it knows the way.
+  /// Number of vertices whose way is known.
   [[nodiscard]] std::int64_t size() const noexcept { return size_; }
 
  private:
@@ -56,17 +59,17 @@ class LatticeTable {
   }
 
   std::int32_t headings_;
-  std::int32_t reach_;          // in x and y [steps]
-  double most_;                 // [m]
-  std::vector<float> lengths_;  // [m]
+  std::int32_t reach_;          // largest |x| and |y| [steps]
+  double most_;                 // largest length [m]
+  std::vector<float> lengths_;  // lengths of the ways from all vertices [m]
   std::int64_t size_ = 0;
   bool is_whole_ = false;
 };
 
-/// The heading that is nearest to 0, as an index.
+/// Index of the heading that is nearest to 0.
 [[nodiscard]] std::int32_t heading_ahead(const Primitives& primitives);
 
-/// The table of primitives, kept with them. Null if making it was interrupted.
+/// The table of primitives, which is kept with the primitives. Null if making it was interrupted.
 [[nodiscard]] std::shared_ptr<const LatticeTable> table_of(
     const Primitives& primitives, const std::function<bool()>& is_interrupted);
 

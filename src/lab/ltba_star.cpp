@@ -13,7 +13,7 @@
 namespace vandplan::lattice {
 namespace {
 
-/// Says when a cycle ends: after some looks at edges, or when its time is over.
+/// Tells when a cycle ends: after some iterations if these are limited, otherwise after a time.
 class Clock {
  public:
   explicit Clock(const PlanOptions& options)
@@ -27,17 +27,17 @@ class Clock {
   }
   void begin_next() { ++cycles_; }
   [[nodiscard]] std::int64_t cycles() const { return cycles_; }
-  /// Of a cycle [s].
+  /// Duration of a cycle [s].
   [[nodiscard]] double time() const { return time_; }
 
  private:
-  std::int64_t looks_;
-  double time_;
+  std::int64_t looks_;  // iterations of a cycle
+  double time_;         // duration of a cycle [s]
   bool is_by_time_;
   std::int64_t cycles_ = 0;
 };
 
-/// A run: one search, one vehicle that drives meanwhile, and the whole way, once there is one.
+/// A run: one search, one vehicle that drives meanwhile, and the whole way once it is found.
 class Run {
  public:
   Run(const Task& task, const PlanOptions& options, const Ground& ground)
@@ -53,10 +53,10 @@ class Run {
   }
 
   [[nodiscard]] bool has_next() { return !search_.is_full() && search_.has_next(); }
-  /// Step [2]; true when the whole way became cheaper.
+  /// Step [2]: goes on with the search. True when the whole way became cheaper.
   bool look() { return search_.step() && take_best(); }
 
-  /// Steps [4] to [6], for each cycle that is over.
+  /// Steps [4] to [6] for each cycle that is over.
   void end_cycles(const Budget& budget) {
     while (clock_.is_over(budget)) {
       clock_.begin_next();
@@ -87,7 +87,8 @@ class Run {
   }
 
  private:
-  // Step [3]: the whole way, which begins with what is committed.
+  // Step [3]: joins the search's best way to the committed part. True when the whole way became
+  // cheaper.
   bool take_best() {
     const double cutoff = whole_.empty() ? std::numeric_limits<double>::infinity() : cost();
     std::optional<std::vector<Leg>> way = drive_.joined(search_.best_way(), cutoff, connector_);
@@ -101,29 +102,28 @@ class Run {
   Search search_;
   CommittedDrive drive_;
   Clock clock_;
-  std::vector<Leg> whole_;  // from start to goal; empty until there is one
-  std::int64_t without_plan_ = 0;
+  std::vector<Leg> whole_;         // way from start to goal; empty until it is found
+  std::int64_t without_plan_ = 0;  // cycles after which the vehicle could not stop in time
 };
 
 }  // namespace
 
 std::vector<OptionInfo> ltba_star_options() {
-  std::vector<OptionInfo> all = {
-      {.name = "cycle_expansions",
-       .summary = "edges looked at in a cycle, where iterations are limited",
-       .standard = std::int64_t{500},
-       .least = 1,
-       .most = 1'000'000'000},
-      {.name = "cycle_time",
-       .summary = "of a cycle, which the vehicle drives meanwhile [s]",
-       .standard = 0.01,
-       .least = 0.001,
-       .most = 10},
-      {.name = "weight",
-       .summary = "of the estimate; 1 finds the shortest way",
-       .standard = 1.0,
-       .least = 1,
-       .most = 100}};
+  std::vector<OptionInfo> all = {{.name = "cycle_expansions",
+                                  .summary = "edges per cycle under an iteration limit",
+                                  .standard = std::int64_t{500},
+                                  .least = 1,
+                                  .most = 1'000'000'000},
+                                 {.name = "cycle_time",
+                                  .summary = "duration of a cycle [s]",
+                                  .standard = 0.01,
+                                  .least = 0.001,
+                                  .most = 10},
+                                 {.name = "weight",
+                                  .summary = "weight of the estimate, 1: shortest path",
+                                  .standard = 1.0,
+                                  .least = 1,
+                                  .most = 100}};
   for (OptionInfo& option : shared_options()) all.push_back(std::move(option));
   return all;
 }

@@ -3,7 +3,7 @@
 #pragma once
 // How does a truck drive while its way is still searched for?
 //
-// docs/algorithms/ltba_star.md.
+// Method: docs/algorithms/ltba_star.md.
 
 #include <vector>
 
@@ -11,10 +11,11 @@
 
 namespace vandplan::lattice {
 
-/// "cycle_expansions", "cycle_time", "weight", and those of all searches over a lattice.
+/// Options of LTBA*: "cycle_expansions", "cycle_time", "weight", and the options of every lattice
+/// search.
 [[nodiscard]] std::vector<OptionInfo> ltba_star_options();
 
-/// One A* over many cycles; after each of them a part of the way is committed.
+/// Plans by LTBA*: one A* over many cycles. After each cycle a part of the way is committed.
 [[nodiscard]] PlannerAnswer plan_ltba_star(const Task& task, const PlanOptions& options);
 
 }  // namespace vandplan::lattice

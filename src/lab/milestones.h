@@ -13,35 +13,36 @@
 
 namespace vandplan::search {
 
-/// What says which poses are drawn and joined.
+/// Settings that decide which poses are drawn and joined.
 struct MilestoneOptions {
-  Local<Bounds> region = {};  ///< where poses are drawn, in the frame of the world [m]
-  int neighbours = 1;         ///< older ones that each is joined to; >= 1
-  std::uint64_t seed = 1;
+  Local<Bounds> region = {};  ///< region of the poses, in the frame of the world [m]
+  int neighbours = 1;         ///< older milestones that each one is joined to; >= 1
+  std::uint64_t seed = 1;     ///< seed of the random poses
   bool operator==(const MilestoneOptions&) const = default;
 };
 
-/// A roadmap that grows. The first n samples are always the same, whatever comes after them, and so
-/// are the milestones that they become and the edges between these.
+/// A growing roadmap. Its first n samples are always the same, and so are their milestones and the
+/// edges between them.
 class Milestones {
  public:
-  /// None yet, for a vehicle by its checker and its turning radius [m].
+  /// A roadmap without milestones, for a vehicle with that checker and turning radius [m].
   Milestones(std::shared_ptr<const CollisionChecker> checker, double radius,
              const MilestoneOptions& options);
 
-  /// Draws one pose. If it is free it becomes a milestone and is joined to the nearest older ones
-  /// by exact length.
+  /// Draws one pose. A free pose becomes a milestone, and is joined to the milestones that are
+  /// nearest by exact length.
   void sample();
 
   [[nodiscard]] const std::shared_ptr<const CollisionChecker>& checker() const { return checker_; }
   [[nodiscard]] double radius() const { return radius_; }
   [[nodiscard]] const MilestoneOptions& options() const { return options_; }
+  /// Number of drawn poses, free or not.
   [[nodiscard]] std::int64_t samples() const { return samples_; }
   [[nodiscard]] std::size_t size() const { return poses_.size(); }
   [[nodiscard]] const std::vector<LocalPose>& poses() const { return poses_; }
-  /// To older ones: those of the first milestone, of the second one, ...
+  /// Edges from each milestone to older ones, in the order of the milestones.
   [[nodiscard]] const std::vector<NearNode>& edges() const { return edges_; }
-  /// Where those of each milestone begin, and where the last ones end.
+  /// Position in `edges` of the first edge of each milestone, then the number of edges.
   [[nodiscard]] const std::vector<std::int32_t>& first_edge() const { return first_edge_; }
   [[nodiscard]] const NearestNodes& nearest() const { return nearest_; }
 

@@ -21,26 +21,26 @@ namespace {
 using search::Budget, search::MilestoneOptions, search::Milestones;
 using RoadmapPointer = std::shared_ptr<const Roadmap>;
 
-constexpr std::size_t first_level = 64;  // milestones
+constexpr std::size_t first_level = 64;  // milestones of the first level
 constexpr int batch = 16;                // samples between two looks at the clock
-constexpr std::size_t most_kept = 4;     // roadmaps of a world
+constexpr std::size_t most_kept = 4;     // roadmaps kept with a world
 
-/// Which roadmap it is.
+/// Settings that identify a roadmap of a world.
 struct Key {
   std::shared_ptr<const CollisionChecker> checker;
-  double radius = 0.0;  // of turning [m]
+  double radius = 0.0;  // turning radius [m]
   MilestoneOptions options = {};
-  std::size_t most = 0;  // nodes
+  std::size_t most = 0;  // largest number of milestones
   bool operator==(const Key&) const = default;
 };
 
-/// A roadmap that grows, and what it was whenever its milestones had doubled: its levels.
+/// A growing roadmap, and its levels: copies with 64, 128, ... milestones, and with all of them.
 struct Growing {
   explicit Growing(const Key& key)
       : milestones(key.checker, key.radius, key.options), most(key.most) {}
 
   [[nodiscard]] bool is_full() const { return milestones.size() == most; }
-  /// How many milestones the next level has.
+  /// Number of milestones of the next level.
   [[nodiscard]] std::size_t next_level() const {
     return std::min(first_level << levels.size(), most);
   }
@@ -56,10 +56,10 @@ struct Growing {
   std::vector<RoadmapPointer> levels = {};
 };
 
-/// Many threads may make it grow: each goes on where another one left off.
+/// A growing roadmap that several threads may extend, one after the other.
 using Shared = base::Guarded<Growing>;
 
-/// The roadmaps of a world, the one that was used last at the end.
+/// The roadmaps of a world, in the order of their last use.
 struct Shelf {
   std::vector<std::pair<Key, std::shared_ptr<const Shared>>> roadmaps = {};
 
@@ -83,7 +83,7 @@ std::shared_ptr<const Shared> roadmap_of(const Task& task, const PlanOptions& op
                 {sampling_region(task, planning::region_of(options)),
                  static_cast<int>(integer("neighbours")), options.budget.seed},
                 static_cast<std::size_t>(integer("nodes"))};
-  // With ramps the margin is that of one start and goal: nobody else would ask for the roadmap.
+  // With ramps the checker is that of one start and goal, so no later query could use the roadmap.
   const Margin margin{.wanted = options.clearance.margin};
   if (task.world->checker(task.vehicle, margin) != task.checker) {
     return std::make_shared<const Shared>(key);
@@ -94,8 +94,8 @@ std::shared_ptr<const Shared> roadmap_of(const Task& task, const PlanOptions& op
   return shelf->with([&](Shelf& all) { return all.find_or_make(key); });
 }
 
-/// The level of that number, grown if need be; null if there is none within the budget, or none at
-/// all. Samples count as iterations whoever drew them.
+/// Level `number` of a roadmap, which grows if necessary. Null if the budget is spent before, or
+/// the roadmap has no such level. Samples count as iterations even if another run drew them.
 RoadmapPointer level_of(const Shared& roadmap, std::size_t number, const PlanOptions& options,
                         Budget& budget) {
   const std::int64_t most =
@@ -122,7 +122,7 @@ RoadmapPointer level_of(const Shared& roadmap, std::size_t number, const PlanOpt
   return level;
 }
 
-/// What was counted.
+/// Counters of a run.
 struct Counts {
   std::int64_t nodes = 0, edges = 0, expansions = 0;
 };
@@ -135,20 +135,19 @@ Planner planner() {
   std::vector<OptionInfo> options = planning::estimate_options("reeds-shepp");
   options.insert(options.begin(), planning::region_option());
   options.push_back({.name = "nodes",
-                     .summary = "milestones at most",
+                     .summary = "largest number of milestones",
                      .standard = std::int64_t{10'000},
                      .least = 1,
                      .most = 1'000'000});
   options.push_back({.name = "neighbours",
-                     .summary = "older milestones that each one is joined to",
+                     .summary = "older milestones joined to each milestone",
                      .standard = std::int64_t{12},
                      .least = 1,
                      .most = 100});
-  options.push_back({.name = "keep_tree",
-                     .summary = "return the last search in the roadmap as well",
-                     .standard = false});
+  options.push_back(
+      {.name = "keep_tree", .summary = "return the last roadmap search", .standard = false});
   return {.name = "prm",
-          .summary = "roadmap of free poses, kept with the world for many starts and goals",
+          .summary = "roadmap of free poses, kept with the world for further queries",
           .properties = {.family = "prm",
                          .estimate = "reeds-shepp",
                          .anytime = true,

@@ -68,13 +68,13 @@ void Ranking::rank_all(std::size_t count, const Pose& sample) {
   choose(count);
 }
 
-/// By the lengths in `ranks_`.
+/// Fills `best_` with the first `count` nodes. `ranks_` holds the length from each node.
 void Ranking::choose(std::size_t count) {
   const std::span<float> ranks(ranks_.data(), tree_.size());
   if (by_ == RankBy::total_cost) {
     for (std::size_t i = 0; i < ranks.size(); ++i) ranks[i] += tree_.cost_to_come()[i];
   }
-  // A heap with the worst in front, until the end.
+  // `best_` is a heap with its worst node in front, until it is sorted.
   float limit = std::numeric_limits<float>::infinity();
   for (std::size_t i = 0; i < ranks.size(); ++i) {
     if (ranks[i] >= limit) continue;

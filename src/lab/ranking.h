@@ -13,38 +13,40 @@
 
 namespace vandplan::search {
 
-/// What nodes are ordered by: what ranks less is tried sooner.
+/// Quantity by which nodes are ranked; smaller ranks are tried first.
 enum class RankBy {
   length,     ///< estimated length from the node to the sample
-  total_cost  ///< the same, and cost-to-come of the node
+  total_cost  ///< cost-to-come of the node plus estimated length to the sample
 };
 
 /// A node as a candidate for a parent.
 struct Candidate {
-  float rank;  ///< [m]
+  float rank;  ///< rank by `RankBy` [m]
   NodeId id;
 };
 
-/// Orders the nodes of one tree for one sample after the other; ties go to the older node. The
-/// nearest by exact Reeds-Shepp length are looked up (docs/algorithms/nearest.md); anything else
-/// takes a rank for every node.
+/// Ranks the nodes of one tree for one sample after the other; ties go to the older node. Nodes
+/// that are nearest by exact Reeds-Shepp length are looked up (docs/algorithms/nearest.md).
+/// Otherwise every node gets a rank.
 class Ranking {
  public:
-  /// The tree has its root, and gets `capacity` nodes at most. Its edges are in the gear `only`; 0:
-  /// in both gears.
+  /// The tree has its root, and gets `capacity` nodes at most. `only`: the gear of all edges, 1 or
+  /// -1; 0: edges are in both gears.
   Ranking(const Tree& tree, double radius, std::size_t capacity, Estimate estimate, RankBy by,
           GearSign only = 0);
 
-  /// Takes notice of the last node of the tree, which is new.
+  /// Registers the last node of the tree. Call it after each new node.
   void add_last();
 
-  /// The first `count` nodes in order (all, if there are fewer); valid until the next call.
+  /// The first `count` nodes for a sample, in order (all, if there are fewer); valid until the next
+  /// call.
   const std::vector<Candidate>& first(std::size_t count, const Pose& sample);
 
-  /// The same by lengths that the caller knows, one for every node [m].
+  /// The first `count` nodes by given lengths to a sample, one for every node [m]; valid until the
+  /// next call.
   const std::vector<Candidate>& first(std::size_t count, std::span<const float> lengths);
 
-  /// How many exact lengths were computed to find the nearest nodes.
+  /// Number of exact lengths that were computed to find nearest nodes.
   [[nodiscard]] std::int64_t exact_solves() const { return exact_solves_; }
 
  private:
@@ -57,7 +59,7 @@ class Ranking {
   Estimate estimate_;
   RankBy by_;
   GearSign only_;
-  std::optional<NearestNodes> exact_;  // where it says what ranking would
+  std::optional<NearestNodes> exact_;  // look-up of nearest nodes; none: all nodes are ranked
   std::int64_t exact_solves_ = 0;
   std::vector<float> ranks_;
   std::vector<Candidate> best_;

@@ -15,10 +15,11 @@ class RewiredTree {
  public:
   explicit RewiredTree(const LocalPose& root);
 
-  /// Adds a node below another, at the end of an edge of that cost [m].
+  /// Adds a node below `parent`, at the end of an edge that costs `edge_cost` [m].
   NodeId add(const LocalPose& pose, NodeId parent, double edge_cost);
 
-  /// Puts a node with all below it under another parent, which is not one of them.
+  /// Moves a node, with all nodes below it, to another parent, which is not below the node. The new
+  /// edge costs `edge_cost` [m].
   void move(NodeId node, NodeId parent, double edge_cost);
 
   [[nodiscard]] std::size_t size() const noexcept { return nodes_.size(); }
@@ -30,11 +31,11 @@ class RewiredTree {
   /// The poses from the root to the node, both included.
   [[nodiscard]] std::vector<LocalPose> branch(NodeId id) const;
 
-  /// The nodes as they were added, but for those whose parent came after them: they follow it.
+  /// The nodes in the order of `add`, except that each node follows its parent.
   [[nodiscard]] TreeSnapshot snapshot() const;
 
  private:
-  /// The children of a node are a list that goes both ways; -1: there is none.
+  /// A node. Its children form a doubly linked list by `next` and `previous`; -1: none.
   struct Node {
     LocalPose pose;
     double edge_cost;
@@ -50,7 +51,7 @@ class RewiredTree {
   void put_in(NodeId id, NodeId parent, double edge_cost);
 
   std::vector<Node> nodes_;
-  std::vector<NodeId> below_;  // buffer
+  std::vector<NodeId> below_;  // buffer of `move`: nodes whose children are updated next
 };
 
 }  // namespace vandplan::search

@@ -20,14 +20,14 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// What is known of an edge.
+/// Result of the collision check of an edge.
 enum EdgeState : std::uint8_t { edge_unknown, edge_free, edge_blocked };
 
 /// An edge as one of its ends sees it.
 struct Arc {
-  std::int32_t node;  ///< at its other end
-  std::int32_t edge;
-  double length;  ///< [m]
+  std::int32_t node;  ///< node at the other end
+  std::int32_t edge;  ///< index of the edge
+  double length;      ///< length of the edge [m]
 };
 
 }  // namespace
@@ -50,18 +50,19 @@ struct Roadmap::Data {
   [[nodiscard]] bool may_drive(const LocalPose& from, const LocalPose& to) const {
     return checker->is_free(from, reeds_shepp(from, to, radius).view());
   }
-  /// Whether an edge is free: looked up, or else found out, always from the same end of it.
+  /// Whether the edge between nodes `a` and `b` is free. The first call checks it, always in the
+  /// direction from the newer to the older node; later calls look the result up.
   [[nodiscard]] bool may_drive(std::int32_t edge, std::int32_t a, std::int32_t b) const;
 
   std::shared_ptr<const CollisionChecker> checker;
-  double radius;  // of turning [m]
+  double radius;  // turning radius [m]
   std::int64_t samples;
   std::size_t neighbours;
   std::vector<LocalPose> poses;
   NearestNodes nearest;
-  std::vector<std::size_t> first_arc;  // of each node, and the end of the last one's
+  std::vector<std::size_t> first_arc;  // position of each node's first arc, then their number
   std::vector<Arc> arcs;
-  /// Of each edge. Whoever finds one out finds the same, so nobody waits for anybody.
+  /// `EdgeState` of each edge. Every thread finds the same state, so threads need not wait.
   mutable std::vector<std::atomic<std::uint8_t>> states;
 };
 
@@ -104,8 +105,8 @@ bool Roadmap::Data::may_drive(std::int32_t edge, std::int32_t a, std::int32_t b)
   return may;
 }
 
-// A way through the roadmap: A* that looks at an edge only when a way over it is the best one left
-// (Cohen, Phillips and Likhachev 2014).
+// Searches the shortest way through a roadmap by A* with late edge checks: an edge is checked when
+// the way over it is the best in the open list (Cohen, Phillips and Likhachev 2014).
 //
 //   [1] open := {from}, joined to its nearest milestones and to the goal
 //   until open is empty:
@@ -153,22 +154,22 @@ class Roadmap::Data::Query {
 
  private:
   struct Node {
-    double estimate = -1.0;     // to the goal [m]; negative: not asked yet
-    double to_goal = infinity;  // by its own piece, if there is one [m]
-    double bound = infinity;    // length of the shortest way here that is known to be free [m]
-    double length = infinity;   // of the way that reached it [m]
+    double estimate = -1.0;     // estimated length to the goal [m]; negative: not computed
+    double to_goal = infinity;  // length of the node's own piece to the goal [m]; infinite: none
+    double bound = infinity;    // least length of the ways here that are known to be free [m]
+    double length = infinity;  // length of the way that reached the node [m]; infinite: none
   };
 
-  /// A node that a way has reached, and where in the list of these the way came from; -1: nowhere.
+  /// A reached node, and the position of the previous node in `reached_`; -1: none.
   struct Reached {
     std::int32_t node, via;
   };
 
+  /// A way in the open list, from the start to `node`.
   struct Way {
-    double rank, length;  // with the estimate, and without [m]
-    std::int32_t node, via,
-        edge;  // via in the list of what was reached; edge -1: a piece of its own
-    /// Nothing is left to the queue: what is taken out next does not depend on what else was in it.
+    double rank, length;           // length with and without the estimate [m]
+    std::int32_t node, via, edge;  // `via`: in `reached_`; `edge` -1: a piece of its own
+    /// A total order: the way that comes next does not depend on how the queue breaks ties.
     bool operator<(const Way& other) const {
       return std::tie(other.rank, other.length, other.node, other.via) <
              std::tie(rank, length, node, via);
@@ -250,10 +251,10 @@ class Roadmap::Data::Query {
   const RouteOptions& options_;
   LocalPose from_, to_;
   std::int32_t start_, goal_;
-  std::vector<Node> nodes_;           // milestones, start and goal
-  std::vector<NearNode> from_start_;  // where pieces from the start lead
+  std::vector<Node> nodes_;           // milestones, then start and goal
+  std::vector<NearNode> from_start_;  // ends of the pieces from the start
   std::priority_queue<Way> open_;
-  std::vector<Reached> reached_;  // in their order
+  std::vector<Reached> reached_;  // reached nodes in their order
 };
 
 Roadmap::Roadmap(const search::Milestones& milestones, const Roadmap* earlier)
@@ -300,7 +301,7 @@ void expect_in_range(const char* option, double value, double least, double most
 }  // namespace
 
 Roadmap build_roadmap(const World& world, const Vehicle& vehicle, const RoadmapOptions& options) {
-  constexpr std::int64_t most_in_vain = 1'000'000;
+  constexpr std::int64_t most_in_vain = 1'000'000;  // blocked poses in a row
   expect_in_range("nodes", static_cast<double>(options.nodes), 1, 1e6);
   expect_in_range("neighbours", options.neighbours, 1, 100);
   expect_in_range("margin", options.margin, 0, 1000);

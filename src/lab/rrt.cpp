@@ -18,7 +18,7 @@ RankBy rank_by(Strategy strategy) {
   return strategy == Strategy::nearest ? RankBy::length : RankBy::total_cost;
 }
 
-// Steps [3] and [4] of the tree.
+// Steps [3] and [4]: finds a parent for a sample; none if no edge that was tried is free.
 std::optional<Adoption> adopt(GrownTree& tree, const RigState& sample, std::size_t max_parents) {
   std::optional<Adoption> best;
   for (const Candidate& candidate : tree.first(max_parents, sample)) {
@@ -36,7 +36,7 @@ std::vector<OptionInfo> options(bool tries_goal) {
           planning::goal_bias_option(),
           planning::max_nodes_option(5000),
           {.name = "max_parents",
-           .summary = "parents tried for one sample (OPT)",
+           .summary = "parents tried per sample (OPT)",
            .standard = std::int64_t{50},
            .least = 1,
            .most = 10'000'000},

@@ -10,23 +10,23 @@
 
 namespace vandplan::rrt {
 
-/// Which node becomes the parent of a sample.
+/// Rule that chooses the parent of a sample.
 enum class Strategy {
-  nearest,          ///< BSC: the nearest one by estimate; if that edge is blocked, none
-  least_total_cost  ///< OPT: the one through which the sample is reached at the least cost
+  nearest,          ///< BSC: nearest node by estimate; none if the edge from it is blocked
+  least_total_cost  ///< OPT: node through which the sample has the least cost-to-come
 };
 
-/// What makes one variant of the tree.
+/// A variant of the tree: how it chooses parents, and by which estimate.
 struct Variant {
   Strategy strategy = Strategy::nearest;
   search::Estimate estimate = search::Estimate::euclid;
 };
 
-/// The tree's own options; `tries_goal` is the default of one of them.
+/// The tree's own options. `tries_goal`: default of "try_goal".
 [[nodiscard]] std::vector<OptionInfo> options(bool tries_goal);
 
-/// Grows a tree from the start until the budget is spent; the best path to the goal counts.
-/// Expects start and goal to be free.
+/// Grows a tree from the start until the budget is spent or the tree is full. The answer holds the
+/// shortest path to the goal that was found. Start and goal must be free.
 [[nodiscard]] PlannerAnswer plan(const Task& task, const PlanOptions& options, Variant variant);
 
 }  // namespace vandplan::rrt

@@ -16,9 +16,9 @@ namespace {
 
 using namespace search;
 
-constexpr double least_progress = 0.1;  // of one step towards a pose, of the range
+constexpr double least_progress = 0.1;  // progress of a step towards a pose [ranges]
 
-// One of the two trees. That of the goal is driven towards its root.
+// One of the two trees. Edges of the goal's tree are driven towards its root.
 struct Side {
   Side(const LocalPose& root, double radius, bool of_goal)
       : tree(root, 64), nearest(radius), is_goal(of_goal) {
@@ -27,15 +27,15 @@ struct Side {
 
   Tree tree;
   NearestNodes nearest;
-  bool is_goal;
+  bool is_goal;  ///< whether the root is the goal
 };
 
-// How far a tree has come on the way to a pose.
+// Result of a step of a tree towards a target pose.
 struct Reached {
-  NodeId node;
-  LocalPose pose;
-  bool is_there;
-  double left_before;  ///< from the nearest node, before this step [m]
+  NodeId node;         ///< node at the end of the step
+  LocalPose pose;      ///< pose at the end of the step
+  bool is_there;       ///< whether the step ends at its target
+  double left_before;  ///< length from the nearest node to the target, before the step [m]
 };
 
 // Both trees, and how they grow.
@@ -55,7 +55,7 @@ class Trees {
 
   Side& side(bool of_goal) { return sides_[of_goal ? 1 : 0]; }
 
-  // One step from the nearest node of a tree towards a pose; none where that is blocked.
+  // Makes one step from the nearest node of a tree towards a pose. None if the step is blocked.
   std::optional<Reached> extend(Side& side, const LocalPose& to) {
     ranking_time_.start();
     const auto [near, length, solves] = *side.nearest.nearest(to);
@@ -70,7 +70,8 @@ class Trees {
     return node ? std::optional(Reached{*node, *end, *end == to, length}) : std::nullopt;
   }
 
-  // Step after step towards a pose: its node, or none where they are blocked.
+  // Makes steps of a tree towards a pose until one ends there, and gives the node at the pose. None
+  // if a step is blocked or makes hardly any progress.
   std::optional<NodeId> connect(Side& side, const LocalPose& to, const Budget& budget) {
     double left = std::numeric_limits<double>::infinity();
     while (!is_full() && !budget.is_interrupted()) {
@@ -85,7 +86,7 @@ class Trees {
 
   [[nodiscard]] bool is_full() const { return order_.size() >= max_nodes_; }
 
-  // The path through a pose that both trees have reached.
+  // Fills in the path through a pose that both trees have reached.
   void finish(NodeId of_start, NodeId of_goal, const Budget& budget, PlannerAnswer& answer) {
     std::vector<LocalPose> poses = sides_[0].tree.branch(of_start);
     const std::vector<LocalPose> rest = sides_[1].tree.branch(of_goal);
@@ -97,7 +98,7 @@ class Trees {
     answer.segments = planning::segments_along(connector_, poses);
   }
 
-  // What was counted and measured, and both trees if they are wanted.
+  // Fills in counters and times, and both trees if the options ask for them.
   void report(const PlanOptions& options, PlannerAnswer& answer) const {
     const std::int64_t solves = connector_.solves() + back_.solves() + nearest_solves_;
     answer.counters = planning::counters_of(order_.size(), solves, connector_.checks());
@@ -119,7 +120,7 @@ class Trees {
   }
 
  private:
-  // Adds a node beside another one, if the way between them is free.
+  // Adds a node below the node `near` if the edge between them is free.
   std::optional<NodeId> add(Side& side, NodeId near, const LocalPose& pose) {
     const LocalPose from = side.tree.pose(near);
     const auto edge = side.is_goal ? planning::edge_between(connector_, pose, from)
@@ -135,12 +136,12 @@ class Trees {
   std::size_t max_nodes_;
   bool profile_;
   Connector connector_;
-  Connector back_;  // from poses of the tree of the goal outwards, driven backwards
-  double range_;    // [m]
+  Connector back_;  // steers from the goal's tree outwards, against the direction of driving
+  double range_;    // longest step [m]
   PhaseTimer ranking_time_;
   std::int64_t nearest_solves_ = 0;
   std::array<Side, 2> sides_;
-  std::vector<std::pair<std::size_t, NodeId>> order_;  // side and node, as they came
+  std::vector<std::pair<std::size_t, NodeId>> order_;  // side and node, in the order of `add`
 };
 
 // RRT-Connect, Kuffner & LaValle 2000.
@@ -187,7 +188,7 @@ PlannerAnswer plan(const Task& task, const PlanOptions& options) {
 
 Planner planner() {
   return {.name = "rrt-connect",
-          .summary = "two RRTs, from start and goal, until they meet: the first path soon",
+          .summary = "two RRTs, from start and goal, until they meet",
           .properties = {.family = "rrt-connect",
                          .honours_gears = true,
                          .honours_steering = true,

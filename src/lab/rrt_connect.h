@@ -8,7 +8,7 @@
 
 namespace vandplan::rrt_connect {
 
-/// Name, properties, options and function.
+/// The planner "rrt-connect".
 [[nodiscard]] Planner planner();
 
 }  // namespace vandplan::rrt_connect

@@ -20,20 +20,20 @@ using namespace search;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The last edge to the goal.
+// The last edge of a path: to a new node or to the goal.
 struct LastEdge {
-  NodeId from = -1;
-  double cost = infinity;  // [m]
+  NodeId from = -1;        // node where the edge begins; -1: there is no edge
+  double cost = infinity;  // cost of the edge [m]
 };
 
-// A node near a pose, and what the pose costs through it at least [m].
+// A node near a pose.
 struct Candidate {
   NodeId id;
-  double length;
-  double total;
+  double length;  // length from the node to the pose without obstacles [m]
+  double total;   // cost-to-come of the node plus `length` [m]
 };
 
-// The tree and what it takes to improve it.
+// One run of the planner: the tree, and the steps that grow and improve it.
 class Run {
  public:
   Run(const Task& task, const PlanOptions& options)
@@ -55,7 +55,8 @@ class Run {
     return goal_.from < 0 ? infinity : tree_.cost_to_come(goal_.from) + goal_.cost;
   }
 
-  // Where samples are of use: a way through any other place is longer than the best one.
+  // Part of a region where samples can be of use: paths through other places are longer than the
+  // best path.
   [[nodiscard]] Bounds region_of_use(const Bounds& region) const {
     if (!informed_ || goal_.from < 0) return region;
     const Pose& a = task_.start;
@@ -66,13 +67,13 @@ class Run {
             std::max(region.y_min, (a.y + b.y) / 2 - reach),
             std::min(region.y_max, (a.y + b.y) / 2 + reach)};
   }
-  // Whether a way through a pose could be shorter than the best one.
+  // Whether a path through a pose could be shorter than the best path.
   [[nodiscard]] bool is_of_use(const LocalPose& pose) const {
     return !informed_ || goal_.from < 0 ||
            length(task_.start, pose) + length(pose, task_.goal) < cost();
   }
 
-  // Step [3]: as far towards the sample as an edge may go.
+  // Step [3]: a pose on the way from the nearest node to the sample, as far as an edge may go.
   std::optional<LocalPose> towards(const LocalPose& sample) {
     ranking_time_.start();
     const auto [near, length, solves] = *nearest_.nearest(sample);
@@ -82,11 +83,11 @@ class Run {
     return planning::part_way(connector_, tree_.pose(near), sample, range_);
   }
 
-  // Step [4]: the nodes to be rewired, by what the pose costs through them.
+  // Step [4]: finds the nodes near a pose, and sorts them by the pose's cost through them.
   void find_near(const LocalPose& pose) {
     ranking_time_.start();
     const auto size = static_cast<double>(tree_.size());
-    // e (1 + 1/d) ln n, of d = 3 dimensions (Karaman & Frazzoli 2011).
+    // Number of near nodes: factor e (1 + 1/d) ln n, d = 3 dimensions (Karaman & Frazzoli 2011).
     const double wanted = factor_ * std::numbers::e * (1.0 + 1.0 / 3.0) * std::log(size + 1.0);
     near_.clear();
     const NearWanted query{.count = static_cast<std::size_t>(std::ceil(wanted))};
@@ -98,7 +99,8 @@ class Run {
     ranking_time_.stop();
   }
 
-  // Step [5]: the near node through which the pose costs least.
+  // Step [5]: the edge from the near node through which the pose costs least; none if no edge is
+  // free and reaches the pose below the cutoff.
   std::optional<LastEdge> best_parent(const LocalPose& pose, double cutoff) {
     std::optional<LastEdge> best;
     for (const Candidate& candidate : near_) {
@@ -118,7 +120,7 @@ class Run {
     return tree_.add(pose, edge.from, edge.cost);
   }
 
-  // Step [6]: the near nodes that cost less through the new one are put below it.
+  // Step [6]: moves near nodes that cost less through the new node below it.
   void rewire(NodeId added) {
     const LocalPose pose = tree_.pose(added);
     const double so_far = tree_.cost_to_come(added);
@@ -133,7 +135,7 @@ class Run {
     }
   }
 
-  // Step [7]: the way from the new node to the goal.
+  // Step [7]: tries the edge from the new node to the goal.
   void try_goal(NodeId node) {
     const double so_far = tree_.cost_to_come(node);
     if (so_far + length(tree_.pose(node), task_.goal) >= cost()) return;
@@ -144,7 +146,7 @@ class Run {
 
   void set_last_edge(const LastEdge& to_goal) { goal_ = to_goal; }
 
-  // What was found, counted and measured, and the tree if it is wanted.
+  // Fills in path, counters and times, and the tree if the options ask for it.
   void report(const PlanOptions& options, PlannerAnswer& answer) {
     if (goal_.from >= 0) {
       std::vector<LocalPose> poses = tree_.branch(goal_.from);
@@ -174,12 +176,12 @@ class Run {
   std::size_t max_nodes_;
   bool profile_;
   Connector connector_;
-  double range_;  // [m]
+  double range_;  // longest edge that is grown [m]
   PhaseTimer ranking_time_;
   RewiredTree tree_;
   NearestNodes nearest_;
-  std::vector<Candidate> near_;
-  LastEdge goal_;
+  std::vector<Candidate> near_;  // nodes near the pose of this iteration
+  LastEdge goal_;                // last edge of the best path
   std::int64_t nearest_solves_ = 0;
   std::int64_t rewired_ = 0;
 };
@@ -238,7 +240,7 @@ PlannerAnswer plan(const Task& task, const PlanOptions& options) {
 
 Planner planner() {
   return {.name = "rrt-star",
-          .summary = "RRT whose edges are improved as it grows: RRT*",
+          .summary = "RRT*: rewires edges as the tree grows",
           .properties = {.family = "rrt-star",
                          .tries_goal = true,
                          .honours_gears = true,
@@ -249,12 +251,12 @@ Planner planner() {
                       planning::goal_bias_option(),
                       planning::range_option(10.0),
                       {.name = "rewire_factor",
-                       .summary = "how many near nodes are improved, times e (1 + 1/3) ln(nodes)",
+                       .summary = "number of rewired nodes, times e (1 + 1/3) ln(nodes)",
                        .standard = 1.1,
                        .least = 0.1,
                        .most = 10},
                       {.name = "informed",
-                       .summary = "only samples that a cheaper path could go through",
+                       .summary = "draw only samples that could improve the path",
                        .standard = true},
                       planning::try_goal_option(true),
                       planning::max_nodes_option(200'000),

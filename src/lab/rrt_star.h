@@ -8,7 +8,7 @@
 
 namespace vandplan::rrt_star {
 
-/// Name, properties, options and function.
+/// The planner "rrt-star".
 [[nodiscard]] Planner planner();
 
 }  // namespace vandplan::rrt_star

@@ -10,7 +10,7 @@ using namespace search;
 
 namespace {
 
-constexpr double least_part = 0.1;  // of the range, of a way that is cut
+constexpr double least_part = 0.1;  // least length of a cut way [ranges]
 
 }  // namespace
 
@@ -33,8 +33,8 @@ Sample Sampler::next(const Bounds& box) {
 
 std::optional<Connection> edge_between(Connector& connector, const LocalPose& from,
                                        const LocalPose& to, double cost_so_far, double cutoff) {
-  // An edge is steered again in the end: a piece that is chosen among words is the same one if both
-  // times nothing cuts the search for it short.
+  // Each edge is steered again at the end of a run. Where a piece is chosen among several words, a
+  // cutoff could change the choice, so there is none.
   const bool is_shortest = connector.continuous() == nullptr && connector.rule().is_length();
   const double limit = is_shortest ? cutoff : std::numeric_limits<double>::infinity();
   std::optional<Connection> edge = connector.connect(from, to, {cost_so_far, limit, {}});
@@ -78,7 +78,7 @@ OptionInfo goal_bias_option() {
 
 OptionInfo max_nodes_option(std::int64_t standard) {
   return {.name = "max_nodes",
-          .summary = "of the search tree",
+          .summary = "largest search tree [nodes]",
           .standard = standard,
           .least = 1,
           .most = 10'000'000};
@@ -90,18 +90,18 @@ OptionInfo try_goal_option(bool standard) {
 
 OptionInfo range_option(double standard) {
   return {.name = "range",
-          .summary = "of one step towards a sample, at most [turning radii]",
+          .summary = "longest step towards a sample [turning radii]",
           .standard = standard,
           .least = 0.1,
           .most = 1e6};
 }
 
 OptionInfo keep_tree_option() {
-  return {.name = "keep_tree", .summary = "return the search tree as well", .standard = false};
+  return {.name = "keep_tree", .summary = "return the search tree", .standard = false};
 }
 
 OptionInfo profile_option() {
-  return {.name = "profile", .summary = "measure where the time goes", .standard = false};
+  return {.name = "profile", .summary = "measure time per phase", .standard = false};
 }
 
 }  // namespace vandplan::planning

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What do planners share that grow trees, sample by sample?
+// What do the planners share that grow trees, sample by sample?
 
 #include <cstdint>
 #include <limits>
@@ -22,14 +22,15 @@ struct Sample {
   bool is_goal;
 };
 
-/// Draws what the options "region" and "goal_bias" say, with the run's seed. Poses are drawn
-/// evenly; hitch angles are the limit times the cube of an even number from -1 to 1: half of them
-/// are below an eighth of the limit.
+/// Draws samples by the options "region" and "goal_bias", with the run's seed. Poses are uniform. A
+/// hitch angle is the limit times the cube of a uniform number from -1 to 1. So half of the hitch
+/// angles are below an eighth of the limit.
 class Sampler {
  public:
   Sampler(const Task& task, const PlanOptions& options);
+  /// The next sample, from the region of the options.
   Sample next() { return next(region_); }
-  /// From a box instead of the region.
+  /// The next sample, from a box instead of the region.
   Sample next(const Bounds& box);
 
   [[nodiscard]] const Bounds& region() const { return region_; }
@@ -37,28 +38,29 @@ class Sampler {
 
  private:
   RigState goal_;
-  double most_hitch_angle_;  // 0 without a trailer
+  double most_hitch_angle_;  // limit of hitch angles [rad]; 0 without a trailer
   Bounds region_;
   double goal_bias_;
   Rng rng_;
 };
 
-/// The edge between two poses, the first of which costs `cost_so_far` [m], if it is free and
-/// reaches the second below the cutoff of cost.
+/// The edge from `from` to `to`. None if it is not free, or the cost at `to` is not below `cutoff`
+/// [m]. `cost_so_far`: cost at `from` [m].
 [[nodiscard]] std::optional<search::Connection> edge_between(
     search::Connector& connector, const LocalPose& from, const LocalPose& to,
     double cost_so_far = 0.0, double cutoff = std::numeric_limits<double>::infinity());
 
-/// A pose on the way from one to another, `range` metres along it or as near to that as the way may
-/// be cut; none where that is hardly anywhere. The other pose itself if it is nearer.
+/// A pose on the way from `from` to `to`, about `range` metres along it; `to` if the way is
+/// shorter. A continuous way is cut at its nearest place where it may be cut. None if there is no
+/// way, or the cut leaves less than a tenth of `range`.
 [[nodiscard]] std::optional<LocalPose> part_way(search::Connector& connector, const LocalPose& from,
                                                 const LocalPose& to, double range);
 
-/// The segments along poses, joined as `Connector::steer` joins them.
+/// Segments along poses, merged; `Connector::steer` joins each pose to the next.
 [[nodiscard]] std::vector<Segment> segments_along(search::Connector& connector,
                                                   const std::vector<LocalPose>& poses);
 
-/// What was counted in a run: nodes, exact lengths worked out, edges checked.
+/// Counters of a run: nodes, computed exact lengths, checked edges.
 [[nodiscard]] std::vector<Counter> counters_of(std::size_t nodes, std::int64_t solves,
                                                std::int64_t checks);
 
@@ -70,7 +72,7 @@ class Sampler {
 [[nodiscard]] OptionInfo max_nodes_option(std::int64_t standard);
 /// "try_goal": whether the goal is tried from every new node.
 [[nodiscard]] OptionInfo try_goal_option(bool standard);
-/// "range": how long a step towards a sample may be [turning radii].
+/// "range": longest step towards a sample [turning radii].
 [[nodiscard]] OptionInfo range_option(double standard);
 /// "keep_tree": whether the tree is part of the answer.
 [[nodiscard]] OptionInfo keep_tree_option();

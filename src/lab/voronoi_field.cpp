@@ -8,10 +8,11 @@
 namespace vandplan::search {
 namespace {
 
-constexpr double most_cells = 250e3;
-constexpr double nowhere = 1e6;        // [m]
-constexpr std::int32_t least_gap = 3;  // between nearest things of neighbours on the middle [cells]
-constexpr std::size_t spots_of_step = 4096;
+constexpr double most_cells = 250e3;  // largest number of cells
+constexpr double nowhere = 1e6;       // distance if there is no obstacle [m]
+// Least distance between the nearest obstacles of two neighbouring cells on the middle [cells].
+constexpr std::int32_t least_gap = 3;
+constexpr std::size_t spots_of_step = 4096;  // cells that spread in one step
 
 std::int64_t square(std::int32_t x, std::int32_t y) {
   return std::int64_t{x} * x + std::int64_t{y} * y;
@@ -52,7 +53,7 @@ void VoronoiField::seed(Nearest& field, const Spot& spot) const {
   field.ring.push_back(spot);
 }
 
-/// Polygons as far as they lie in the box: their sides, walked in half cells, and their inside.
+/// Seeds polygons as far as they lie in the box: sides, walked in half cells, and insides.
 void VoronoiField::seed_polygons(const std::vector<Polygon>& polygons) {
   for (const Polygon& polygon : polygons) {
     Point a = polygon.back();
@@ -71,11 +72,11 @@ void VoronoiField::seed_polygons(const std::vector<Polygon>& polygons) {
   }
 }
 
-/// The cells whose middle is inside: no middle between things lies there.
+/// Seeds the cells whose centre is inside a polygon, so that the middle does not pass through it.
 void VoronoiField::seed_inside(const Polygon& polygon) {
   const Bounds box = bounding_box(polygon);
   const std::int32_t last = spot_of({box_.x_min, box.y_max}).y;
-  std::vector<double> crossings;  // of a row with the sides, in cells
+  std::vector<double> crossings;  // x where sides cross a row of centres [cells]
   for (std::int32_t y = spot_of({box_.x_min, box.y_min}).y; y <= last; ++y) {
     const double height = centre_of({0, y}).y;
     crossings.clear();
@@ -105,7 +106,7 @@ void VoronoiField::seed_map_row() {
   ++map_row_;
 }
 
-/// Each spot of the ring tells its neighbours which seed is nearest to it.
+/// Passes the nearest seed of each cell of the ring on to the neighbours. False when all is done.
 bool VoronoiField::spread(Nearest& field) const {
   for (std::size_t done = 0; done < spots_of_step; ++done) {
     if (field.ring.empty()) {
@@ -131,8 +132,8 @@ bool VoronoiField::spread(Nearest& field) const {
   return true;
 }
 
-/// Spots whose right or upper neighbour has its nearest thing elsewhere: further from their own one
-/// than they are themselves, which is 60 degrees.
+/// Seeds the cells of a row whose right or upper neighbour has another nearest obstacle. The two
+/// obstacles are further apart than the cell is from its own, which means 60 degrees.
 void VoronoiField::seed_middle_row() {
   for (std::int32_t x = 0; x < columns_; ++x) {
     const Spot spot{x, middle_row_};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How far is the next thing, and how far the middle between things?
+// How far is the nearest obstacle, and how far the middle between obstacles?
 //
-// Distances on a grid, as a guide: nothing is decided by them. The middle is the medial axis: there
-// a step aside has another nearest thing, more than 60 degrees away from the first one.
+// Distances on a grid, which only guide a search. The middle is the medial axis: from there and
+// from one cell beside it, the nearest obstacles are in directions more than 60 degrees apart.
 
 #include <cstdint>
 #include <span>
@@ -17,39 +17,42 @@ namespace vandplan::search {
 /// Distances from the obstacles, kerbs and map of a task, and from the middle between them.
 class VoronoiField {
  public:
-  /// The task outlives the field. Cells have that side [m], more on large grounds.
+  /// The task outlives the field. `side`: side of a cell [m]; on large grounds cells are larger.
   VoronoiField(const Task& task, double side);
 
-  /// Some hundred microseconds of work. False when there is no more to do.
+  /// Computes a part of the field, some hundred microseconds of work. False when the field is
+  /// complete.
   bool step();
 
-  /// From the nearest thing, and from the middle between things [m], to half a cell or so; far away
-  /// where there is none.
+  /// Distances from the nearest obstacle and from the middle [m], to about half a cell; 10^6 m if
+  /// there is none.
   struct Distances {
     double obstacle, middle;
   };
+  /// Distances at a point in the frame of the task.
   [[nodiscard]] Distances at(const Point& point) const noexcept;
 
-  /// How far things are felt [m]: the potential falls the more slowly the larger `falloff` is, and
-  /// is 0 from `reach` on.
+  /// Range of the potential [m]. The larger `falloff` is, the more slowly the potential falls; from
+  /// `reach` on it is 0.
   struct Range {
     double falloff, reach;
   };
-  /// The potential of Dolgov et al. (2010): 1 at things, 0 in the middle between them and where
-  /// nothing is within reach.
+  /// Voronoi potential of Dolgov et al. (2010): 1 at obstacles, 0 in the middle between them and
+  /// where no obstacle is within reach.
   [[nodiscard]] double potential(const Point& point, const Range& range) const noexcept;
-  /// Its integral over what the rear axle drives [m].
+  /// Integral of the potential over the path of the rear axle [m].
   [[nodiscard]] double along(Pose from, std::span<const Segment> segments,
                              const Range& range) const noexcept;
 
  private:
+  /// Column and row of a cell.
   struct Spot {
     std::int32_t x, y;
   };
-  /// Which seed is nearest to each cell; seeds spread ring by ring.
+  /// The nearest seed of each cell. Seeds spread over the grid ring by ring.
   struct Nearest {
-    std::vector<Spot> spots;  // x < 0: none is known
-    std::vector<Spot> ring, next_ring;
+    std::vector<Spot> spots;            // nearest seed of each cell; x < 0: unknown
+    std::vector<Spot> ring, next_ring;  // cells that spread now, and after them
   };
 
   [[nodiscard]] std::size_t index(const Spot& spot) const noexcept {
@@ -74,8 +77,8 @@ class VoronoiField {
   double side_;
   std::int32_t columns_, rows_;
   Nearest obstacles_, middle_;
-  std::int32_t map_row_ = 0;     // that is seeded next
-  std::int32_t middle_row_ = 0;  // likewise, once all obstacles have spread
+  std::int32_t map_row_ = 0;  // next row of cells to seed from the map
+  std::int32_t middle_row_ = 0;  // next row whose cells on the middle are seeded
 };
 
 }  // namespace vandplan::search

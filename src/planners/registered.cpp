@@ -16,7 +16,7 @@
 namespace vandplan::planning {
 namespace {
 
-/// A path that is known counts where nothing moves.
+/// Plans with the default planner. A known path counts only if no obstacle moves.
 PlannerAnswer plan_by_default(const Task& task, const PlanOptions& options,
                               const anytime::Given& given) {
   if (!task.moving.empty()) return in_time::plan(task, options, given.sources);
@@ -30,7 +30,7 @@ PlannerAnswer plan_by_default(const Task& task, const PlanOptions& options,
 
 Planner anytime_planner() {
   return {.name = "anytime",
-          .summary = "lattice searches and random trees, each path shortened: the one to use",
+          .summary = "lattice searches and random trees, every path shortened",
           .properties = {.family = "anytime",
                          .honours_prices = true,
                          .honours_gears = true,
@@ -63,7 +63,7 @@ std::vector<Planner> registered_planners() {
 namespace vandplan {
 namespace {
 
-constexpr std::int64_t most_of_a_source = 10'000;  // iterations of a round
+constexpr std::int64_t most_of_a_source = 10'000;  // most iterations of a source in a round
 
 }  // namespace
 

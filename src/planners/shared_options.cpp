@@ -13,13 +13,13 @@ namespace {
 constexpr std::string_view none = "none";
 constexpr std::string_view max_prefix = "max-";
 
-/// One estimate, or two of which the larger counts.
+/// Names of one estimate, or of two of which the larger counts.
 struct Wanted {
   std::string_view first;
   std::string_view second = none;
 };
 
-/// `names` are the words that the option "estimate" of a planner may be.
+/// Parses the name of an estimate. `names`: words of the planner's option "estimate".
 std::optional<Wanted> parsed(std::string_view text, const std::vector<std::string>& names) {
   const auto is_estimate = [&](std::string_view name) {
     return std::ranges::find(names, name) != names.end();
@@ -45,7 +45,7 @@ OptionInfo* find_option(Planner& planner, std::string_view name) {
 
 OptionInfo region_option() {
   return {.name = "region",
-          .summary = "where samples are drawn",
+          .summary = "sampling region",
           .standard = std::string("bounds"),
           .words = {"bounds", "scene"}};
 }
@@ -57,12 +57,12 @@ Region region_of(const PlanOptions& options) {
 std::vector<OptionInfo> estimate_options(std::string_view standard, std::string_view max_with) {
   const auto names = search::goal_estimate_names();
   OptionInfo first{.name = std::string(estimate_key),
-                   .summary = "of the way to the goal",
+                   .summary = "cost-to-go estimate",
                    .standard = std::string(standard),
                    .words = {names.begin(), names.end()}};
   OptionInfo second = first;
   second.name = max_with_key;
-  second.summary = "another estimate; the larger one of both counts";
+  second.summary = "second estimate, the larger counts";
   second.standard = std::string(max_with);
   second.words.insert(second.words.begin(), std::string(none));
   return {std::move(first), std::move(second)};

@@ -33,19 +33,19 @@ constexpr std::int64_t most_repairs = 20'000;
 constexpr std::int64_t settling = 1000;  // trials that take out what repairs made longer
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// What is asked of the path: its prices, and how long strokes are at least.
+/// What the caller wants of the path: its prices, and a least length of strokes.
 class Wishes {
  public:
   Wishes(const Task& task, const PlanOptions& options)
       : pricing_(task, options.cost), min_stroke_(options.planner.number("min_stroke")) {}
 
   [[nodiscard]] const CostRule& rule() const { return pricing_.rule(); }
-  /// Whether a path costs something else than its segments one by one.
+  /// Whether the cost of a path is no sum over its segments.
   [[nodiscard]] bool are_of_whole_path() const { return pricing_.is_time() || min_stroke_ > 0.0; }
   [[nodiscard]] double cost(std::span<const Segment> segments, Looks looks) const {
     return pricing_.cost(segments, looks);
   }
-  /// Cost of a path, and more where strokes are too short.
+  /// Cost of a path, with a price for strokes that are too short.
   [[nodiscard]] double price(std::span<const Segment> segments, Looks looks) const {
     return cost(segments, looks) + lack(segments);
   }
@@ -55,7 +55,7 @@ class Wishes {
 
  private:
   planning::Pricing pricing_;
-  double min_stroke_;  // [m]
+  double min_stroke_;  // least stroke [m]
 };
 
 /// One run of the smoother.
@@ -82,13 +82,13 @@ class Smoother {
   Wishes wishes_;
   Budget budget_;
   Path old_;
-  std::optional<DriveShortener> drive_;  // along the old path
+  std::optional<DriveShortener> drive_;  // drive along the old path
   double least_ = infinity;              // price of the answer
   PlannerAnswer answer_;
 };
 
-/// Whether the wheels can follow the old path from start to goal, and nothing is in its way; as far
-/// as rounding tells.
+/// Whether the wheels can follow the old path from start to goal, within rounding, and no obstacle
+/// blocks it.
 bool Smoother::is_drivable(Connector& connector) const {
   Driven before = gears_at_ends(task_, connector.rule()).before;
   LocalPose pose(old_.start);
@@ -106,7 +106,7 @@ bool Smoother::is_drivable(Connector& connector) const {
          std::abs(wrap_angle(pose.heading - goal.heading)) <= steering::at_goal.heading;
 }
 
-/// The answer so far. Longer strokes may make it dearer than one before.
+/// Makes segments the answer so far. Because of longer strokes it may cost more than one before.
 void Smoother::take(std::vector<Segment> segments, double price) {
   least_ = price;
   const double cost = price - wishes_.lack(segments);
@@ -116,7 +116,7 @@ void Smoother::take(std::vector<Segment> segments, double price) {
   answer_.status = PlanStatus::solved;
 }
 
-/// [2], [3] A free route along the old path.
+/// [2], [3] A free route along the old path; none if none was found.
 std::optional<Route> Smoother::chained(Connector& connector) {
   anytime::Chain chain(task_, connector, old_, stream_seed(seed_, 0));
   if (!chain.join()) return std::nullopt;
@@ -127,7 +127,7 @@ std::optional<Route> Smoother::chained(Connector& connector) {
   return chain.route();
 }
 
-/// [4] The old path as commands, if what they drive is free.
+/// [4] Makes commands of the old path, if their drive is free.
 void Smoother::bend() {
   const auto commands = commands::commands_along(task_, old_.segments);
   if (!commands) return;
@@ -140,7 +140,7 @@ void Smoother::bend() {
   drive_.emplace(task_, wishes_.rule(), *commands, stream_seed(seed_, 2), std::move(measure));
 }
 
-/// [5] Shortens the route and bends the old path in turns.
+/// [5] Shortens the route and bends the old path, in turns.
 void Smoother::improve(std::optional<anytime::Shortener>& shortener, std::int64_t trials) {
   const auto offer_route = [&] {
     if (shortener->cost() < least_) take(path_of(shortener->route()).segments, shortener->cost());
@@ -194,7 +194,7 @@ PlannerAnswer Smoother::run(SmoothMethod method) {
   return std::move(answer_);
 }
 
-/// Throws InputError naming "path" for one with a number that is not finite.
+/// Throws InputError naming "path" for a path with a number that is not finite.
 void expect_finite(const Path& path) {
   const auto& [x, y, heading] = path.start;
   bool is_finite = std::isfinite(x) && std::isfinite(y) && std::isfinite(heading);
@@ -204,8 +204,8 @@ void expect_finite(const Path& path) {
   if (!is_finite) throw InputError("path", "holds a number that is not finite");
 }
 
-/// The problem without its set of goals, if it has one: its goal is that of the set which the path
-/// ends at, or else where the path ends.
+/// The problem with one goal in place of its set: the goal of the set where the path ends, or else
+/// the end of the path.
 Problem to_end_of(const Problem& problem, const Path& path) {
   if (problem.goal_set().empty() || !problem.task().moving.empty()) return problem;
   RigState end{path.start, problem.hitch_angles().start};
@@ -240,7 +240,7 @@ SmoothMethod smooth_method_named(std::string_view name) {
 Planner smoother(const Path& path, SmoothMethod method) {
   const auto name = method_names[static_cast<std::size_t>(method)];
   return {.name = "smooth-" + std::string(name),
-          .summary = "keeps to the way of a path",
+          .summary = "smooths a given path",
           .properties = {.family = "smooth",
                          .honours_prices = true,
                          .honours_gears = true,
@@ -291,7 +291,7 @@ Smoothed smooth(const Problem& of_set, const Path& path, SmoothMethod method,
   const Wishes wishes(task, smoothed.options);
   smoothed.given_cost = wishes.cost(path.segments, Looks::answer);
   const double lack = wishes.lack(path.segments);
-  // [6] Never worse than the path that was given.
+  // [6] The answer is never worse than the given path.
   smoothed.given_fault = given.reason;
   PlanResult& result = smoothed.result;
   const auto name_goal = [&] {

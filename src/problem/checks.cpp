@@ -19,12 +19,12 @@ namespace vandplan {
 namespace problem {
 namespace {
 
-constexpr double largest_coordinate = 1e12;  // [m]; doubles there are 0.1 mm apart
-constexpr double largest_reach = 1e6;        // of a world from its origin [m]; paths close there
-constexpr double largest_distance = 1e5;     // [m], start to goal
-constexpr double largest_heading = 1e6;      // [rad]; wrapped to better than 1e-9
-constexpr double largest_length = 1e6;       // of a vehicle [m]
-constexpr double smallest_length = 1e-6;     // of a vehicle, where it may not be zero [m]
+constexpr double largest_coordinate = 1e12;  // scenario's frame [m]; doubles are 0.1 mm apart there
+constexpr double largest_reach = 1e6;     // half the side of a world [m]; paths still close there
+constexpr double largest_distance = 1e5;  // distance from start to goal [m]
+constexpr double largest_heading = 1e6;   // size of an angle [rad]; wrapping is exact to 1e-9 rad
+constexpr double largest_length = 1e6;    // size of vehicles and map cells [m]
+constexpr double smallest_length = 1e-6;  // size of vehicles and map cells where 0 is wrong [m]
 
 void require(bool holds, const std::string& where, const std::string& fault) {
   if (!holds) throw InputError(where, fault);
@@ -50,7 +50,7 @@ void check_range(double low, double high, const std::string& where) {
               "], expected the smaller number first");
 }
 
-/// A corner no further from the origin of its world than is supported.
+/// Throws unless a corner is within the largest supported world.
 void require_in_reach(const Point& local, const std::string& where) {
   const double distance = std::max(std::abs(local.x), std::abs(local.y));
   if (distance <= largest_reach) return;
@@ -62,7 +62,7 @@ void require_in_reach(const Point& local, const std::string& where) {
 }  // namespace
 
 void require_within(double value, double limit, const std::string& where) {
-  if (std::abs(value) <= limit) return;  // most are: no text is made for them
+  if (std::abs(value) <= limit) return;  // valid values make no text: saves time
   throw InputError(where, "is " + base::shortest_text(value) + ", expected a number between " +
                               base::shortest_text(-limit) + " and " + base::shortest_text(limit));
 }

@@ -14,9 +14,9 @@
 namespace vandplan::problem {
 namespace {
 
-// A body may touch the side of its area, so a fence begins a little outside of it [m].
+// Distance of a fence from the side of the area [m]. Not 0, because a body may touch the side.
 constexpr double fence_begin = 2e-7;
-constexpr double fence_end = 1e-6;
+constexpr double fence_end = 1e-6;  // distance of the fence's far side from the area [m]
 
 const Point& corner(const Polygon& polygon, std::size_t i) { return polygon[i % polygon.size()]; }
 

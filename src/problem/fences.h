@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How does a body stay inside an area? It begins there, and meets a fence before it leaves.
+// How does a body stay inside an area? It starts inside, and would hit a fence before it leaves.
 
 #include <cstddef>
 #include <span>
@@ -11,13 +11,13 @@
 
 namespace vandplan::problem {
 
-/// Areas of the scenario's frame in the frame of `origin`, cleaned, corners counter-clockwise.
-/// Throws InputError naming "inside[1]" if one is no simple polygon, or has something in common
-/// with another one.
+/// Areas moved from the scenario's frame into the frame of `origin`, cleaned, corners
+/// counter-clockwise. Throws InputError naming "inside[1]" if an area is no simple polygon, or
+/// touches or overlaps another area.
 [[nodiscard]] std::vector<Polygon> local_areas(const std::vector<Polygon>& areas,
                                                const Point& origin);
 
-/// A thin fence outside of each side, in the order of the areas and of their sides.
+/// Fences: one thin polygon outside each side, in the order of the areas and of their sides.
 [[nodiscard]] std::vector<Polygon> fences_around(std::span<const Polygon> areas);
 
 }  // namespace vandplan::problem

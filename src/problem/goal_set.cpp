@@ -35,7 +35,7 @@ void check_heading(const HeadingRange& heading, const std::string& where) {
                               " rad, expected at most a full turn: any");
 }
 
-/// The box around all places of a region.
+/// Box around all positions of a region [m].
 Bounds box_of(const GoalRegion& region) {
   if (!region.area.empty()) return bounding_box(region.area);
   return {region.x.least, region.x.most, region.y.least, region.y.most};
@@ -129,7 +129,7 @@ GoalRegion region_of_pose(const Pose& pose) noexcept {
   return {.x = {pose.x, pose.x}, .y = {pose.y, pose.y}, .heading = {pose.heading, pose.heading}};
 }
 
-// A polygon need not hold the middle of its box, but each of its corners.
+// The first corner of an area is in the area; the middle of the area's box may be outside.
 Pose some_pose(const GoalRegion& region) {
   const double heading = wrap_angle(region.heading.from + 0.5 * width(region.heading));
   if (!region.area.empty()) return {region.area.front().x, region.area.front().y, heading};

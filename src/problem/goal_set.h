@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What is a good set of goals, and which poses does it hold?
+// Which sets of goals are valid, and which poses do they hold?
 
 #include <vector>
 
@@ -9,30 +9,33 @@
 
 namespace vandplan::problem {
 
-/// Throws InputError naming "goal.x", "goal.any_of[2].heading" or another key when the set holds no
-/// region, a number is out of range, an interval is crossed, or a region is too far from the start.
+/// Checks a set of goals in the scenario's frame. Throws InputError naming "goal.x",
+/// "goal.any_of[2].heading" or another key when the set holds no region, a number is out of range,
+/// an interval is crossed, or a region is more than 100 km from the start.
 void check_goal_set(const std::vector<GoalRegion>& set, const Vehicle& vehicle, const Pose& start);
 
-/// A checked set in the frame of `origin`; the corners of its areas are counter-clockwise.
+/// A checked set moved into the frame of `origin`; corners of areas are counter-clockwise.
 [[nodiscard]] std::vector<GoalRegion> local_goal_set(const std::vector<GoalRegion>& set,
                                                      const Point& origin);
 
-/// Where the vehicle is if the axle that the region speaks of is there.
+/// State of the vehicle whose axle is at `axle`: the trailer's axle if the region is of the
+/// trailer, otherwise the rear axle.
 [[nodiscard]] RigState state_at(const Vehicle& vehicle, const GoalRegion& region, const Pose& axle,
                                 double hitch_angle);
 
-/// Some state of a region: about in its middle.
+/// A state of the region: the middle of all intervals, or the first corner of the area.
 [[nodiscard]] RigState some_goal(const Vehicle& vehicle, const GoalRegion& region);
 
-/// A task without a set of goals, to another goal. The margin gives way around that one.
+/// A task without a set of goals, with another goal: a state and a curvature [1/m]. With a ramp in
+/// `options`, its checker has ramps at the start and at the new goal.
 [[nodiscard]] Task task_to(const Task& task, const Local<RigState>& goal, double curvature,
                            const ClearanceOptions& options);
 
-/// Moves a goal a little that is where the start is, if the wheels have to be turned in between
-/// while the vehicle drives: planners know ends by their place.
+/// Moves the goal by 1 nm if start and goal are the same pose with different curvatures, and the
+/// steering is `continuous`. Planners tell start and goal apart by their poses.
 void tell_ends_apart(Task& task);
 
-/// Lets the vehicle keep its distance: `checker` of the task is without a margin before.
+/// Replaces the task's checker, which has no margin, by one with margin and ramps of `options`.
 void keep_margin(Task& task, const ClearanceOptions& options);
 
 }  // namespace vandplan::problem

@@ -14,7 +14,7 @@
 namespace vandplan::problem {
 namespace {
 
-/// The corners of a body in the frame of a map, in cells.
+/// Corners of a body at a pose, in the frame of a map [cells]. Body and pose are in metres.
 Polygon in_cells(const Polygon& body, const Pose& pose, const OccupancyGrid& map) {
   Polygon corners;
   const auto [sin, cos] = base::sin_cos(pose.heading - map.origin.heading);
@@ -28,12 +28,12 @@ Polygon in_cells(const Polygon& body, const Pose& pose, const OccupancyGrid& map
   return corners;
 }
 
-/// Whether a convex polygon, counter-clockwise, and a cell have a point in common.
+/// Whether a convex, counter-clockwise polygon [cells] touches a cell.
 bool meets_cell(const Polygon& body, double column, double row) {
   for (std::size_t i = 0; i < body.size(); ++i) {
     const Point& a = body[i];
     const Point& b = body[(i + 1) % body.size()];
-    const double nx = b.y - a.y;  // away from the body
+    const double nx = b.y - a.y;  // normal of the side, out of the body
     const double ny = a.x - b.x;
     const double nearest =
         nx * (column + (nx > 0 ? 0 : 1) - a.x) + ny * (row + (ny > 0 ? 0 : 1) - a.y);
@@ -42,10 +42,12 @@ bool meets_cell(const Polygon& body, double column, double row) {
   return true;
 }
 
+/// The nearest blocked cell that was found so far.
 struct Hit {
-  double squared_distance = std::numeric_limits<double>::infinity();  ///< in cells
-  Point middle = {};                                                  ///< in cells
-  std::string what = {};
+  double squared_distance =
+      std::numeric_limits<double>::infinity();  ///< to the rear axle [cells^2]
+  Point middle = {};                            ///< middle of the cell [cells]
+  std::string what = {};  ///< why the cell is blocked; empty: no cell was found
 };
 
 std::string what_of(const OccupancyGrid& map, std::int32_t column, std::int32_t row) {
@@ -57,7 +59,7 @@ std::string what_of(const OccupancyGrid& map, std::int32_t column, std::int32_t 
   return (*map.cells)[index] == Cell::occupied ? "occupied" : "unknown";
 }
 
-/// Looks for a nearer hit under one body.
+/// Updates `best` with blocked cells under one body that are nearer to the axle; all in cells.
 void look_under(const OccupancyGrid& map, const Polygon& body, const Point& axle, Hit& best) {
   const Bounds box = bounding_box(body);
   const auto cell = [](double value) { return static_cast<std::int32_t>(std::floor(value)); };
@@ -82,7 +84,7 @@ std::optional<CellHit> map_hit(const Problem& problem, const RigState& state) {
   if (!map) return std::nullopt;
   const Vehicle& vehicle = problem.vehicle();
   const RigState local{to_local(world, state.pose), state.hitch_angle};
-  const double largest = 1e8;  // cells from the map; further ones have no number
+  const double largest = 1e8;  // distance from the map [cells]; cell numbers are 32-bit
   const Point axle = in_cells({{0, 0}}, local.pose, *map).front();
   if (!(std::abs(axle.x) < largest && std::abs(axle.y) < largest)) return std::nullopt;
   Hit hit;

@@ -11,15 +11,15 @@
 
 namespace vandplan::problem {
 
-/// A blocked cell.
+/// A blocked cell that a vehicle hits.
 struct CellHit {
   std::string
-      text;  ///< "occupied at x = 3.25, y = 4.75"; "unknown at", "beyond the edge of the map at"
-  Point middle;  ///< in the scenario's frame
+      text;      ///< "occupied at x = 3.25, y = 4.75"; or "unknown", "beyond the edge of the map"
+  Point middle;  ///< middle of the cell, in the scenario's frame [m]
 };
 
-/// The blocked cell under the vehicle or its trailer whose middle is nearest to the rear axle; the
-/// state is in the scenario's frame. None if the vehicle hits no cell.
+/// The blocked cell under the vehicle or its trailer whose middle is nearest to the rear axle.
+/// `state` is in the scenario's frame. None if the vehicle hits no cell.
 [[nodiscard]] std::optional<CellHit> map_hit(const Problem& problem, const RigState& state);
 
 }  // namespace vandplan::problem

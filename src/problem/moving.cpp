@@ -11,10 +11,10 @@
 namespace vandplan::problem {
 namespace {
 
-constexpr double latest = 1e6;          // [s]
-constexpr double widest_outline = 1e3;  // [m]
-constexpr double fastest_growth = 10;   // [m/s]
-constexpr double furthest_row = 1e6;    // from the origin of the world [m]
+constexpr double latest = 1e6;          // largest |time| of a row [s]
+constexpr double widest_outline = 1e3;  // largest |coordinate| of an outline [m]
+constexpr double fastest_growth = 10;   // growth of an outline on all sides [m/s]
+constexpr double furthest_row = 1e6;    // largest |coordinate| of a row in the world's frame [m]
 
 TimedPose local_row(const TimedPose& row, const Point& origin, const std::string& where) {
   require_within(row.t, latest, where);

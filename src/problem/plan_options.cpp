@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 2> style_names = {"shortest", "driver"};
 constexpr std::array<std::string_view, 3> steering_names = {
     "reeds-shepp", "continuous-between-stops", "continuous"};
 
-/// The value whose name it is, if there is one; `names` are in the order of the values.
+/// The enumerator with that name; none if no name matches. `names` has the enum's order.
 template <typename Value, std::size_t size>
 std::optional<Value> value_named(const std::array<std::string_view, size>& names,
                                  std::string_view name) {
@@ -57,7 +57,7 @@ std::string text_of(CostMeasure measure) {
   return text_of(std::string(measure_names[static_cast<std::size_t>(measure)]));
 }
 
-// The setter throws with an empty place; its caller adds the name of the option.
+// Throws InputError with an empty key: the caller adds the name of the option.
 [[noreturn]] void reject(std::string_view value, const std::string& expected) {
   throw InputError("", "\"" + std::string(value) + "\" is not " + expected);
 }
@@ -134,34 +134,32 @@ constexpr CommonOption steering_option = {
     [](PlanOptions& o, std::string_view value) { parse(value, o.steering); }};
 
 constexpr std::array options_of_all = {
-    budget<&BudgetOptions::seed>(
-        "seed", "of the random numbers; a whole number from 0 to 18446744073709551615"),
-    budget<&BudgetOptions::time_limit>("time_limit", "wall clock [s]; >= 0 or null"),
+    budget<&BudgetOptions::seed>("seed", "random seed; 0 to 18446744073709551615"),
+    budget<&BudgetOptions::time_limit>("time_limit", "time limit, wall clock [s]; >= 0 or null"),
     budget<&BudgetOptions::max_iterations>("max_iterations",
-                                           "reproduces bit for bit; >= 0 or null"),
-    budget<&BudgetOptions::threads>("threads", "that share the work; 1 to 256"),
+                                           "iteration limit, repeats bit for bit; >= 0 or null"),
+    budget<&BudgetOptions::threads>("threads", "number of threads; 1 to 256"),
     budget<&BudgetOptions::target_gap>(
-        "target_gap", "ends the run when so near to the optimum, proven; 0 to 1000 or null"),
+        "target_gap", "proven gap to the optimum that ends the run; 0 to 1000 or null"),
     cost<&CostOptions::forward_weight>("forward_weight", "cost of a metre forward; 1 to 1000"),
     cost<&CostOptions::reverse_weight>("reverse_weight", "cost of a metre in reverse; 1 to 1000"),
     cost<&CostOptions::gear_change_cost>("gear_change_cost",
                                          "cost of one gear change [m]; 0 to 10000"),
     cost<&CostOptions::curvature_change_cost>("curvature_change_cost",
-                                              "cost of turning the wheels [m per 1/m]; 0 to 10000"),
+                                              "cost of curvature changes [m per 1/m]; 0 to 10000"),
     cost<&CostOptions::clearance_weight>("clearance_weight",
-                                         "dearer metres where something is near; 0 to 1000"),
+                                         "extra cost of metres near obstacles; 0 to 1000"),
     cost<&CostOptions::clearance_distance>("clearance_distance",
-                                           "what is near for clearance_weight [m]; 0.01 to 1000"),
+                                           "distance that counts as near [m]; 0.01 to 1000"),
     cost<&CostOptions::initial_gear>("initial_gear",
-                                     "driven before the start; any, forward or reverse"),
-    cost<&CostOptions::gears>("gears", "that may be driven at all; both, forward or reverse"),
+                                     "gear before the start; any, forward or reverse"),
+    cost<&CostOptions::gears>("gears", "allowed gears; both, forward or reverse"),
     cost<&CostOptions::measure>("cost",
-                                "prices, or time: the seconds that the fastest drive takes"),
+                                "what is minimised; prices, or time of the fastest drive [s]"),
     clearance<&ClearanceOptions::margin>(
         "margin", "least distance from obstacles, of wheels from kerbs [m]; 0 to 1000"),
     clearance<&ClearanceOptions::margin_ramp>(
-        "margin_ramp",
-        "way on which a start or goal that is nearer gains the margin [m]; 0 to 1000"),
+        "margin_ramp", "distance in which a tight start or goal reaches the margin [m]; 0 to 1000"),
     steering_option,
 };
 
@@ -182,8 +180,8 @@ void require_price(const std::optional<double>& price, std::string_view name, co
           "a number from " + text_of(least) + " to " + text_of(most) + unit);
 }
 
-/// The value of an own option that a planner reads. Throws InputError when it is not there, or of
-/// another type: the planner asks for what its registration does not name.
+/// The value of a planner's own option. Throws InputError when the option has no value or one of
+/// another type: the planner then reads an option that its registration does not name.
 template <typename Value>
 const Value& value_of(const PlannerSettings& settings, std::string_view name,
                       const std::string& type) {
@@ -299,7 +297,7 @@ Style style_named(std::string_view name) {
 
 CostOptions prices_of(Style style, const Vehicle& vehicle) {
   if (style == Style::shortest) return shortest_style;
-  constexpr double smallest = 0.01;  // keeps all prices in range
+  constexpr double smallest = 0.01;  // least scale of prices; keeps them in range
   const double radius = vehicle.min_turning_radius;
   const double truck = Vehicle{}.min_turning_radius;
   const double scale = radius < truck ? std::max(smallest, radius / truck) : 1.0;
@@ -315,7 +313,7 @@ std::span<const CommonOption> common_options() noexcept { return options_of_all;
 std::vector<Setting> settings_of(const PlanOptions& options) {
   std::vector<Setting> settings;
   const auto add = [&](std::string_view name, std::string json) {
-    if (json == "null") return;  // it is not set
+    if (json == "null") return;  // an option that is not set
     std::erase(json, '"');
     settings.push_back({std::string(name), std::move(json)});
   };

@@ -19,7 +19,8 @@
 namespace vandplan {
 namespace {
 
-/// The surroundings in the frame of `origin`, cleaned. Throws InputError naming what is wrong.
+/// Surroundings moved into the frame of `origin`, cleaned, with fences. Throws InputError naming
+/// the wrong key.
 Surroundings checked(const Surroundings& given, const Point& origin) {
   Surroundings local{.bounds = problem::local_bounds(given.bounds, origin),
                      .obstacles = problem::local_polygons(given.obstacles, origin, "obstacles"),
@@ -35,21 +36,21 @@ Surroundings checked(const Surroundings& given, const Point& origin) {
   return local;
 }
 
-/// A checker and whose it is.
+/// A collision checker, with the vehicle and the margin that it was made for.
 struct VehicleChecker {
   Vehicle vehicle;
-  double margin;  // [m]
+  double margin;  // margin that the vehicle keeps [m]
   CollisionChecker checker;
 };
 
-/// Throws for a problem that nobody made: it has no world.
+/// Throws InputError for a default-constructed problem, which has no world.
 void expect_made(const Problem& problem) {
   if (problem.world() == nullptr) {
     throw InputError("problem", "is empty, expected one that make_problem returned");
   }
 }
 
-/// Start and goal with all that is said of them.
+/// Checks poses, curvatures and hitch angles of start and goal, or the set of goals.
 void check_goal(const Scenario& scenario) {
   if (!scenario.goal_set.empty()) {
     problem::check_goal_set(scenario.goal_set, scenario.vehicle, scenario.start);
@@ -225,7 +226,7 @@ Task task_of(const Problem& problem, const ClearanceOptions& options, Steering s
   return task;
 }
 
-// By far less than a goal may be missed by.
+// 1 nm is far below the error that a path's end may have, 1e-6 m.
 void problem::tell_ends_apart(Task& task) {
   const bool turns_wheels = task.curvatures.start != task.curvatures.goal;
   if (task.steering == Steering::continuous && turns_wheels && task.start == task.goal) {
@@ -242,8 +243,8 @@ void problem::keep_margin(Task& task, const ClearanceOptions& options) {
       const Pose& pose = state.pose;
       const double clearance = task.checker->rig_clearance(state, options.margin);
       if (clearance == 0.0 || clearance >= options.margin) continue;
-      // The checker asks for up to its tolerance more than the margin: so that the pose itself, at
-      // exactly its clearance, is free.
+      // The checker may ask for the margin plus its tolerance. So the margin of the ramp is below
+      // the clearance by the tolerance: then the pose itself is free.
       const double least = std::max(clearance - CollisionChecker::tolerance, 0.0);
       margin.ramps.push_back({Local(Point{pose.x, pose.y}), least, options.margin_ramp});
     }
@@ -265,7 +266,7 @@ Local<Bounds> sampling_region(const Task& task, Region region) noexcept {
   const Surroundings& ground = task.world->local();
   const Bounds& bounds = ground.bounds;
   if (region == Region::bounds) return Local(bounds);
-  constexpr double margin = 20.0;  // [m]
+  constexpr double margin = 20.0;  // room around the scene [m]
   const Point poses[] = {{task.start.x, task.start.y}, {task.goal.x, task.goal.y}};
   Bounds scene = bounding_box(poses);
   const auto add = [&](const Bounds& box) {

@@ -82,7 +82,7 @@ TEST_F(CheckCommand, APlanAmongWhatMovesIsWrittenJudgedAndPlayed) {
   const Outcome planned =
       run_vandplan({"plan", scenario_, "--max-iterations", "500", "--output", result_});
   EXPECT_EQ(planned.status, 0) << planned.err;
-  EXPECT_NE(planned.out.find(" from all that moves, first path after "), std::string::npos)
+  EXPECT_NE(planned.out.find(" from moving obstacles, first path after "), std::string::npos)
       << planned.out;
   const Outcome checked = run_vandplan({"check", scenario_, result_, "--json"});
   EXPECT_EQ(checked.status, 0) << checked.out;
@@ -324,7 +324,7 @@ TEST_F(CheckCommand, ASmallClearanceIsSaidInMillimetres) {
   write_content(scenario_, replaced(yard(), "goal: {x: 20, y: 5,", "goal: {x: 6.095, y: 0,"));
   const Outcome outcome = check(result);
   EXPECT_EQ(outcome.status, 0) << outcome.out;
-  EXPECT_NE(outcome.out.find(" mm (known to 1.00 mm)\n"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find(" mm (accurate to 1.00 mm)\n"), std::string::npos) << outcome.out;
 }
 
 // ---- many pairs ----
@@ -403,7 +403,7 @@ TEST_F(CheckPairs, SomeOrOneOfThemAreDrawn) {
   EXPECT_EQ(draw({"--pair", "4"}).err, "vandplan: --pair: there is no pair 4\n");
   write_content(result_, drive_ahead().dump());
   EXPECT_EQ(draw({"--pair", "1"}).err,
-            "vandplan: --pair: the result is one, not many with numbers\n");
+            "vandplan: --pair: is for files with many results, this one holds one\n");
 }
 
 TEST_F(CheckCommand, EveryGoalOfARowIsJudged) {

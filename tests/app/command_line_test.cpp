@@ -36,12 +36,13 @@ TEST(CommandLine, VersionNamesTheCommit) {
 }
 
 /// The page shows the help of every command as it is.
-TEST(CommandLine, PageOfTheDocumentationHoldsTheHelpOfEveryCommand) {
-  const std::string page = content_of(repository() / "docs/command-line.md");
+TEST(CommandLine, APageHoldsTheHelpOfEveryCommand) {
+  const std::string page = content_of(repository() / "app/help.md");
   const std::vector<std::vector<std::string>> commands = {{},
                                                           {"plan"},
                                                           {"check"},
                                                           {"draw"},
+                                                          {"smooth"},
                                                           {"speed"},
                                                           {"drive"},
                                                           {"evaluate"},
@@ -55,6 +56,7 @@ TEST(CommandLine, PageOfTheDocumentationHoldsTheHelpOfEveryCommand) {
                                                           {"study", "growth"},
                                                           {"study", "symmetry"},
                                                           {"study", "steering"},
+                                                          {"study", "searches"},
                                                           {"convert", "geojson"},
                                                           {"convert", "tpcap"},
                                                           {"convert", "movingai"},
@@ -67,7 +69,7 @@ TEST(CommandLine, PageOfTheDocumentationHoldsTheHelpOfEveryCommand) {
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.err, "");
     EXPECT_NE(page.find("```\n" + outcome.out + "```\n"), std::string::npos)
-        << "docs/command-line.md is not up to date, see tools/update_command_line_page";
+        << "app/help.md is not up to date, see tools/update_help";
   }
 }
 
@@ -87,7 +89,7 @@ TEST(PlannersCommand, ListsTheOptionsOfAll) {
       EXPECT_NE(outcome.out.find("\n  " + info.name + "="), std::string::npos) << info.name;
     }
   }
-  EXPECT_NE(content_of(repository() / "docs/command-line.md").find("```\n" + outcome.out + "```\n"),
+  EXPECT_NE(content_of(repository() / "app/help.md").find("```\n" + outcome.out + "```\n"),
             std::string::npos);
 }
 

@@ -64,8 +64,8 @@ TEST_F(DriveCommand, SaysThatAPathAtFullLockLeavesNothingToCorrectWith) {
   turn["path"]["segments"] = {{{"turn", "left"}, {"length", 7}}};
   write_content(result_, turn.dump());
   const std::string line =
-      "  steering: the wheels are turned as far as they go for 7.000 m, where no controller can "
-      "correct; try --spare-steering 0.1\n";
+      "  steering: full lock for 7.000 m, where no controller can correct; try --spare-steering "
+      "0.1\n";
   const Outcome locked = drive();
   EXPECT_NE(locked.out.find(line), std::string::npos) << locked.out << locked.err;
   EXPECT_NE(locked.out.find("without noise, but a controller lacks spare steering\n"),
@@ -150,7 +150,7 @@ TEST_F(DriveCommand, ATrailerIsDrivenToo) {
   const Outcome said = drive();
   EXPECT_EQ(said.status, 0) << said.err << said.out;
   EXPECT_NE(said.out.find("yard: lqr: no contact\n"), std::string::npos) << said.out;
-  EXPECT_NE(said.out.find("  trailer: at most "), std::string::npos) << said.out;
+  EXPECT_NE(said.out.find("  trailer: deviation at most "), std::string::npos) << said.out;
   const Json json = Json::parse(drive({"--noise", "1", "--runs", "3", "--json"}).out);
   EXPECT_EQ(json.at("controller"), "lqr");
   EXPECT_GT(json.at("trailer").at("largest_lateral"), json.at("trailer").at("rms_lateral"));
@@ -182,7 +182,7 @@ TEST_F(DriveCommand, AContactFailsAndIsSaid) {
   EXPECT_EQ(again.status, 1);
   EXPECT_NE(again.out.find("first contact: after "), std::string::npos) << again.out;
   const std::string verdict =
-      "  verdict: the path is too near to things to be driven so; plan with ";
+      "  verdict: the path is too close to obstacles for this drive; plan with ";
   EXPECT_NE(again.out.find(verdict + "--set margin=0.0"), std::string::npos) << again.out;
   EXPECT_EQ(drive().out.find(verdict), std::string::npos);
   EXPECT_NE(content_of(csv_), "");

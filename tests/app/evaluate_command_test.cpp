@@ -188,7 +188,7 @@ TEST_F(EvaluateCommand, EndsCleanlyWhenInterrupted) {
   interrupted.send(SIGINT);
   const Outcome outcome = interrupted.wait();
   EXPECT_EQ(outcome.status, 1) << outcome.err;
-  EXPECT_NE(outcome.out.find("runs are missing; --resume does them."), std::string::npos);
+  EXPECT_NE(outcome.out.find("runs are missing; --resume runs them."), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/index.html"));
 }
 
@@ -393,7 +393,7 @@ class EvaluateCommandOnMaps : public EvaluateCommand {
 TEST_F(EvaluateCommandOnMaps, SkipsTheMapsOfAFolderAndSaysSo) {
   const Outcome outcome = evaluate();
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(outcome.err.find(maps_ + "/yard.yaml: skipped, a map and no scenario\n"), 0U)
+  EXPECT_EQ(outcome.err.find(maps_ + "/yard.yaml: skipped, a map, not a scenario\n"), 0U)
       << outcome.err;
   EXPECT_NE(outcome.err.find("4 runs\n      4 = 1 planner x 1 region x 2 scenarios x 2 repeats\n"),
             std::string::npos)

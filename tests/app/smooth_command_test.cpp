@@ -169,7 +169,7 @@ TEST_F(SmoothCommand, SaysOnOneLineThatAPathStaysAsItWas) {
   ASSERT_EQ(smooth({"--output", smoothed_}).status, 0);
   const Outcome outcome = run_vandplan({"smooth", scenario_, smoothed_, "--max-iterations", "0"});
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_NE(outcome.out.find("nothing better was found, the path stays as it was: length "),
+  EXPECT_NE(outcome.out.find("no better path found, the path is unchanged: length "),
             std::string::npos)
       << outcome.out;
   EXPECT_NE(outcome.out.find("cost "), std::string::npos) << outcome.out;

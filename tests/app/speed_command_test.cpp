@@ -238,7 +238,7 @@ TEST_F(SpeedCommand, OfManyPairsOneIsChosen) {
   write_content(result_, pair.dump() + "\n");
   EXPECT_EQ(Json::parse(speed({"--json", "--pair", "4"}).out).at("length"), 7);
   EXPECT_EQ(speed({"--pair", "5"}).err, "vandplan: --pair: there is no pair 5\n");
-  EXPECT_EQ(speed().err, "vandplan: " + result_ + ": holds many results: --pair N\n");
+  EXPECT_EQ(speed().err, "vandplan: " + result_ + ": holds many results, expected --pair N\n");
 }
 
 }  // namespace

@@ -165,7 +165,7 @@ TEST_F(StudyCommand, AGnuplotThatFailsIsToldOf) {
 
 TEST_F(StudyCommand, RefusesBadInput) {
   EXPECT_EQ(complaint({}),
-            "study: which one is missing, expected range, accuracy, trailer-accuracy, "
+            "study: a study is missing, expected range, accuracy, trailer-accuracy, "
             "growth, symmetry, steering or searches");
   EXPECT_EQ(complaint({"range", "--radius", "-7"}), "--radius: is -7, expected 0.001 to 1000000 m");
   EXPECT_EQ(complaint({"range", "--reach", "nan"}), "--reach: is nan, expected 0.001 to 1000000 m");

@@ -15,7 +15,7 @@
 namespace vandplan::anytime {
 namespace {
 
-constexpr int trials_for_fewer_changes = 1000;
+constexpr int trials_for_fewer_changes = 1000;  // trials of `with_fewer_changes`
 
 }  // namespace
 
@@ -23,7 +23,7 @@ search::Route Finisher::with_fewer_changes(const search::Route& best, double sho
                                            std::uint64_t seed, search::Budget& budget) const {
   if (rules_.has_prices || best.legs.size() < 2) return best;
   CostRule rule = pricing_.rule();
-  rule.gear_change_cost = 1e-8;
+  rule.gear_change_cost = 1e-8;  // [m]; decides between routes of equal length only
   Connector connector(task_, rule);
   Route route = best;
   route.cost = cost_of(rule, route);

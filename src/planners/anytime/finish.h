@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How does the best route or drive become what somebody can drive?
+// How does the best route or drive become one that a driver can follow?
 
 #include <optional>
 #include <vector>
@@ -21,11 +21,11 @@ struct Best {
 
 /// Rules for a finished drive besides its cost.
 struct FinishRules {
-  double min_stroke = 0.0;     ///< least stroke that is asked for [m]
-  double stroke = 0.0;         ///< least stroke that is made if there is room [m]
+  double min_stroke = 0.0;     ///< least stroke that the options ask for [m]
+  double stroke = 0.0;         ///< least stroke that is made where there is room [m]
   bool is_continuous = false;  ///< whether the wheels need time to turn
   bool has_prices = false;     ///< whether more than the length counts
-  /// Most that a finished drive may cost more than the drive that was found [relative]; none: no
+  /// Largest relative excess of the finished drive's cost over the best drive's cost; none: no
   /// limit.
   std::optional<double> slack = {};
 };
@@ -46,7 +46,7 @@ class Finisher {
   /// The raw segments tidied; none where they stay as they are, such as those of a shortest path.
   [[nodiscard]] std::optional<Drive> drivable(const Best& best,
                                               const std::vector<Segment>& raw) const;
-  /// `drivable`; none if it costs much more than the drive that was found.
+  /// The drive of `drivable`; none if it exceeds the best drive's cost by more than `slack` allows.
   [[nodiscard]] std::optional<Drive> finished(const Best& best,
                                               const std::vector<Segment>& raw) const;
   [[nodiscard]] double min_stroke() const { return rules_.min_stroke; }

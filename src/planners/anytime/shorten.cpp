@@ -12,7 +12,8 @@ namespace {
 
 constexpr double progress = 5e-4;    // relative gain that counts as progress
 constexpr double least_gain = 1e-9;  // smallest gain of a trial [m]
-// Surcharge for each crumb when whole drives are compared [m or s].
+// Cost of one crumb when a measure compares two routes [m or s, as the measure]. Without it drives
+// keep wiggles of some centimetres: 25 in 80 random worlds.
 constexpr double price_of_crumb = 0.4;
 constexpr double guide_leeway = 1.3;  // with a measure a trial may have so many times the price
 constexpr int patience = 200;         // trials without progress that stall a route

@@ -15,9 +15,10 @@ namespace {
 
 using search::Connector, search::Driven, search::gear_of;
 
-constexpr double tidy_slack = 1e-4;  // of the cost: 1 cm of 100 m, less than any search leaves
-constexpr std::size_t reach = 3;     // segments on either side that make up for one left out
-constexpr std::size_t reach_of_clothoids = 7;  // the same where clothoids lie between them
+/// Most relative cost of leaving out crumbs: 1 cm of 100 m, less than any search leaves.
+constexpr double tidy_slack = 1e-4;
+constexpr std::size_t reach = 3;  // segments on either side that make up for one left out
+constexpr std::size_t reach_of_clothoids = 7;  // wider reach where clothoids lie between
 
 using Segments = std::vector<Segment>;
 
@@ -78,8 +79,8 @@ bool Tidier::is_free(LocalPose from, std::span<const Segment> segments) {
   return true;
 }
 
-// Leaves the segments [first, last) out, if their neighbours can make up for them: the same poses
-// on either side, free, and no dearer in all than the limit.
+// Leaves the segments [first, last) out if their neighbours make up for that: the poses on either
+// side stay, the path is free and costs at most `limit`.
 bool Tidier::drop(std::size_t first, std::size_t last, double limit) {
   std::size_t low = first - std::min(first, is_continuous_ ? reach_of_clothoids : reach);
   std::size_t high =
@@ -99,7 +100,7 @@ bool Tidier::drop(std::size_t first, std::size_t last, double limit) {
   const std::optional<Segments> mended =
       steering::mended(from, pose_before(high), rest, steering::on_the_way);
   if (!mended) return false;
-  // Without a whole stroke the curvature could jump.
+  // With fewer segments the curvature could jump.
   if (is_continuous_ && mended->size() != rest.size()) return false;
   Segments trial(segments_.begin(), at(low));
   trial.insert(trial.end(), mended->begin(), mended->end());
@@ -114,7 +115,7 @@ bool Tidier::drop(std::size_t first, std::size_t last, double limit) {
 /// Index behind the crumbs that begin at `first` and can be left out together; `first` if there are
 /// none. Where the curvature is continuous, it must be the same before them and behind them.
 std::size_t Tidier::end_of_crumbs(std::size_t first) const {
-  constexpr double same = 1e-12;  // [1/m]
+  constexpr double same = 1e-12;  // difference of curvatures that is rounding [1/m]
   if (!is_continuous_) return first + 1;
   const auto last_curvature = [](const Segment& s) { return curvature_at(s, std::abs(s.length)); };
   const auto gear = gear_of(segments_[first]);
@@ -129,7 +130,7 @@ std::size_t Tidier::end_of_crumbs(std::size_t first) const {
   return first;
 }
 
-// The shortest one first, until none can go.
+// Leaves out crumbs, the shortest first, until none can go.
 void Tidier::drop_crumbs() {
   const double limit = (1 + tidy_slack) * cost(segments_);
   bool dropped = true;
@@ -160,8 +161,8 @@ std::vector<Stroke> Tidier::strokes() const {
   return result;
 }
 
-// The gear changes later, before segment `cusp`: `by` metres further on, and back the same way,
-// along the curvature on either side or straight ahead, whichever is cheapest.
+// The path with a gear change `by` metres later than before segment `cusp`, and the same way back.
+// The way there has the curvature of either side or is straight, whichever is cheapest.
 std::optional<Segments> Tidier::driven_on(std::size_t cusp, double by) {
   const Segment& before = segments_[cusp - 1];
   const LocalPose pose = pose_before(cusp);
@@ -178,7 +179,7 @@ std::optional<Segments> Tidier::driven_on(std::size_t cusp, double by) {
   return best;
 }
 
-// True when something changed.
+// Leaves stroke `k` out or makes it longer. True when something changed.
 bool Tidier::lengthen(const std::vector<Stroke>& all, std::size_t k, double least) {
   const Stroke& stroke = all[k];
   const double by = std::max(least - stroke.length, crumb_);
@@ -198,7 +199,8 @@ bool Tidier::lengthen(const std::vector<Stroke>& all, std::size_t k, double leas
   return true;
 }
 
-// What lengthens one stroke may shorten another; so often at most as there are ends of strokes.
+// Makes short strokes longer. A longer stroke may make another one shorter, so tries are limited to
+// the number of ends of strokes.
 void Tidier::lengthen_strokes(double least) {
   bool changed = true;
   for (std::size_t tries = 2 * strokes().size(); changed && tries > 0; --tries) {
@@ -214,7 +216,7 @@ void Tidier::lengthen_strokes(double least) {
 
 OptionInfo min_stroke_option() {
   return {.name = "min_stroke",
-          .summary = "metres from gear change to gear change, where there is room",
+          .summary = "least distance between gear changes, if there is room [m]",
           .standard = 0.0,
           .least = 0.0,
           .most = 100.0};

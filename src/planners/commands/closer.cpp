@@ -14,11 +14,12 @@ namespace {
 constexpr int most_iterations = 15;        // steps of Newton's method
 constexpr double close_enough = 1e-10;     // largest error of the end [m, rad]
 constexpr int iterations_to_get_near = 6;  // steps until the end should be near
-constexpr double near_enough = 0.2;        // largest error after these steps [units of length]
+constexpr double near_enough = 0.2;        // largest error of an end that is near [`length_unit_`]
 constexpr double most_turn = 4.0;    // largest turn for the formula of a segment's mean place [rad]
 constexpr double difference = 1e-7;  // step of numerical derivatives [rad]
 
-/// A vector turned by a quarter to the left: how a point moves when all turns about the origin.
+/// A vector turned to the left by 90 degrees: how the point (x, y) moves when it turns about the
+/// origin.
 Point turned(double x, double y) { return {-y, x}; }
 
 std::array<double, 4> sum(const std::array<double, 4>& a, double factor,
@@ -104,9 +105,10 @@ Closer::Vector Closer::gap(const RigState& to) const {
           to.hitch_angle - hitch_angle};
 }
 
-/// [1] Derivatives of the end by one segment. A bent segment turns all behind it about each of its
-/// points; the hitch angle follows its own formula. `passed_on`: derivative of the last hitch angle
-/// by the one behind the segment, and afterwards by the one before it.
+/// Step A: derivatives of the end by one segment. Bending a segment turns all later segments about
+/// each of its points. The hitch angle follows its own formula. `passed_on`: derivative of the last
+/// hitch angle by the hitch angle after the segment. The call sets it to that by the hitch angle
+/// before.
 Closer::Change Closer::change(const Place& first, const Segment& segment, const Place& last,
                               double& passed_on) const {
   const auto& [curvature, length, rate] = segment;
@@ -114,8 +116,8 @@ Closer::Change Closer::change(const Place& first, const Segment& segment, const 
   const double angle = first.hitch_angle;
   const Pose& end = places_.back().pose;
   const Point swing = turned(end.x - last_pose.x, end.y - last_pose.y);
-  // The mean place of a segment is that of the cubic with the same ends and directions, with more
-  // bulge where the segment turns far.
+  // Approximates the mean position of a segment by that of the cubic with the same ends and
+  // directions, with more bulge where the segment turns far.
   const double mean_curvature = curvature + rate * std::abs(length) / 2;
   const double half = std::min(std::abs(mean_curvature * length), most_turn) / 2;
   const double bulge = length * (1 + half * half * (1.0 / 15 + half * half * (2.0 / 315))) / 12;
@@ -134,13 +136,13 @@ Closer::Change Closer::change(const Place& first, const Segment& segment, const 
   return result;
 }
 
-/// [2] Derivatives of the end by each command. The curvature bends the arc of the command and the
-/// clothoid of the next one. If the wheels do not reach the curvature, the length decides how far
-/// they get.
+/// Step B: derivatives of the end by each command. The curvature of a command bends its arc and the
+/// clothoid of the next command. If the wheels do not reach the curvature, the length of the
+/// command decides how far they turn.
 void Closer::differentiate(std::span<const Segment> commands, const WheelEnds& ends) {
   columns_.assign(commands.size(), {});
-  double passed_on = 1.0;  // derivative of the last hitch angle by the one behind the command
-  Vector by_wheels = {};   // derivative of the end by the curvature behind the command
+  double passed_on = 1.0;  // derivative of the last hitch angle by that after the command
+  Vector by_wheels = {};   // derivative of the end by the curvature after the command
   for (std::size_t i = commands.size(); i-- > 0;) {
     const Obeyed& obeyed = obeyed_[i];
     Column& column = columns_[i];
@@ -150,14 +152,14 @@ void Closer::differentiate(std::span<const Segment> commands, const WheelEnds& e
     column.length = at_end.stretch;
     if (is_gone) continue;
     const bool is_turning = last.curvature_rate != 0.0;
-    // Change of the curvature with the length.
+    // Derivative of the curvature after the segment by its length [1/m^2].
     const double turning = search::gear_of(last) * last.curvature_rate;
     if (!is_turning) column.curvature = sum(at_end.bend, 1.0, by_wheels);
     if (is_turning && obeyed.reaches_command) column.curvature = by_wheels;
     if (is_turning && !obeyed.reaches_command) {
       column.length = sum(column.length, turning, by_wheels);
     }
-    const bool is_arc = !is_turning && obeyed.count == 1;  // no wheels turn
+    const bool is_arc = !is_turning && obeyed.count == 1;  // the wheels do not turn
     if (obeyed.turns_at_once || is_arc) {
       by_wheels = {};
     } else if (!is_turning) {
@@ -175,8 +177,8 @@ void Closer::differentiate(std::span<const Segment> commands, const WheelEnds& e
   }
 }
 
-/// [3] Multipliers of the conditions for least squares of the changes, by Cholesky's method without
-/// roots. False if the conditions depend on each other.
+/// Step C: Lagrange multipliers of the conditions on the end, which minimise the sum of squared
+/// changes. Cholesky's method without roots. False if the conditions are linearly dependent.
 bool Closer::solve(const Vector& gap, Vector& multipliers) const {
   std::array<Vector, 4> m{};
   const auto add = [&](const Vector& column, double unit) {
@@ -209,8 +211,8 @@ bool Closer::solve(const Vector& gap, Vector& multipliers) const {
   return true;
 }
 
-/// [4] Changes all commands at once. A curvature or length that would leave its limits is held
-/// there.
+/// Step D: changes all commands at once. A curvature or length that would leave its limits is held
+/// at the limit.
 bool Closer::step(std::span<Segment> commands, const Vector& gap) {
   const auto dot = [](const Vector& a, const Vector& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
@@ -234,7 +236,7 @@ bool Closer::step(std::span<Segment> commands, const Vector& gap) {
     }
     if (is_final) break;
   }
-  double most = 1.0;  // divisor that limits steps to a few units
+  double most = 1.0;  // divisor that limits each change to two units
   for (const Column& column : columns_) {
     if (!column.curvature_is_fixed) {
       most = std::max(most, std::abs(dot(column.curvature, multipliers)) * curvature_unit_ / 2);
@@ -277,7 +279,7 @@ bool Closer::is_steady() const {
   if (!vehicle_.trailer) return true;
   constexpr double most_growth = 1e4;
   constexpr double tick = 1e-6;  // step of numerical derivatives [rad]
-  double growth = 1.0;           // largest factor on a change made anywhere before
+  double growth = 1.0;           // largest growth of an error made anywhere before
   bool is_straight = true;
   const auto grow = [&](double angle, const Segment& segment) {
     is_straight &= angle == 0.0 && segment.curvature == 0.0 && segment.curvature_rate == 0.0;

@@ -68,7 +68,7 @@ class Closer {
 
   const Vehicle& vehicle_;
   Wheels wheels_;
-  double most_curvature_;
+  double most_curvature_;                // largest curvature [1/m]
   double curvature_unit_, length_unit_;  // changes of these sizes count alike [1/m], [m]
   /// Number of conditions on the end: 3 for the pose, 1 for the hitch angle.
   std::size_t conditions_;

@@ -92,7 +92,7 @@ std::vector<Segment> Wheels::commands(std::span<const Segment> segments,
       turn_ahead(result, segment.curvature, half, after.gear);
       command.length += after.gear * half;
     } else if (!is_free && before.gear == after.gear && segment.curvature_rate == 0.0) {
-      command.length += result.back().length;  // no wheels turn: one command is enough
+      command.length += result.back().length;  // the wheels do not turn: one command is enough
       result.pop_back();
     }
     result.push_back(command);

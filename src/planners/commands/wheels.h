@@ -21,10 +21,10 @@
 
 namespace vandplan::commands {
 
-/// What is driven before the first command of a chain, and the curvature after the last one.
+/// Gear and curvature before the first command of a chain, and curvature after its last command.
 struct WheelEnds {
   search::Driven before = {};
-  std::optional<double> after = {};  ///< curvature [1/m]; none: any
+  std::optional<double> after = {};  ///< curvature after the last command [1/m]; none: any
 };
 
 /// Segments that are driven for one command.
@@ -46,11 +46,13 @@ class Wheels {
   /// Whether the curvature may jump anywhere, not only at stops.
   [[nodiscard]] bool are_free() const { return steering_ == Steering::reeds_shepp; }
 
-  /// Whether the curvature may jump between what is driven `before` and gear `next`.
+  /// Whether the curvature may jump at a place: `before` are gear and curvature before it, `next`
+  /// is the gear after it.
   [[nodiscard]] bool may_jump(const search::Driven& before, search::GearSign next) const;
 
-  /// The segments of a command after `before`, which becomes what is driven last. None if the
-  /// command is shorter than 1e-10 m: nobody stops for such a stroke.
+  /// Segments that are driven for a command. `before`: gear and curvature before the command; the
+  /// call sets it to those after the command. No segments, and `before` stays, if the command is
+  /// shorter than 1e-10 m: nobody stops for such a stroke.
   [[nodiscard]] Obeyed obey(const Segment& command, search::Driven& before) const;
 
   /// The segments of a whole chain of commands.
@@ -62,14 +64,15 @@ class Wheels {
   [[nodiscard]] std::vector<Segment> commands(std::span<const Segment> segments,
                                               const WheelEnds& ends) const;
 
-  /// The commands without those of almost no length; equal neighbours are joined. A curvature that
-  /// the wheels do not reach becomes the one that they reach.
+  /// The commands without those shorter than 1e-10 m; equal neighbours are joined. A curvature that
+  /// the wheels do not reach is replaced by the curvature that they reach.
   [[nodiscard]] std::vector<Segment> tidied(std::span<const Segment> commands,
                                             search::Driven before) const;
 
   /// Wheel ends of the commands [first, last) of a chain, which are about to change. Where the
-  /// vehicle rolls on behind them, the curvature there must stay for the next command. `driven`:
-  /// what is driven before each command, and at the end. `ends`: those of the whole chain.
+  /// vehicle rolls on after command last - 1, the curvature there must stay for the next command.
+  /// `driven`: gear and curvature before each command, and at the end. `ends`: wheel ends of the
+  /// whole chain.
   [[nodiscard]] WheelEnds ends_of_part(std::span<const Segment> chain,
                                        std::span<const search::Driven> driven, std::size_t first,
                                        std::size_t last, const WheelEnds& ends) const;
