@@ -27,7 +27,7 @@ struct CheckArguments {
   DrivingStyle style;
 };
 
-/// What the judge says of a path, and of its times where something moves.
+/// Verdict of the judge on a path. With `drive` it includes the drive along the path over time.
 struct Judged : PathCheck {
   std::optional<DriveCheck> drive = {};
 };
@@ -35,7 +35,7 @@ struct Judged : PathCheck {
 /// The verdict on one goal; none without a path.
 using Verdict = std::optional<Judged>;
 
-/// A path without times is driven as fast as the vehicle may.
+/// Speeds of a result; if it has none, those of the fastest drive along its path.
 SpeedProfile speeds_of(const Problem& problem, const PlanResult& result) {
   if (result.speeds) return *result.speeds;
   return speed_profile(*result.path, problem.vehicle(),
@@ -118,7 +118,7 @@ std::string distance_text(const std::optional<double>& distance) {
   return distance ? fmt::format("{} m", *distance) : "none";
 }
 
-/// What is wrong about the furthest goal that a file states for a row; empty if nothing is.
+/// Fault of the furthest goal that a result file states for a row; empty if there is none.
 std::string false_furthest(const std::vector<ResultRecord>& records) {
   const std::optional<StatedFurthest>& stated = records.front().furthest;
   if (!stated) return "";
@@ -128,7 +128,7 @@ std::string false_furthest(const std::vector<ResultRecord>& records) {
                      distance_text(stated->distance), distance_text(reached));
 }
 
-/// How many paths there were, and how many of them are good.
+/// Numbers of results with a valid path, with an invalid path, and without a path.
 struct Tally {
   int valid = 0;
   int invalid = 0;
@@ -140,7 +140,7 @@ struct Tally {
   [[nodiscard]] bool passed() const { return valid > 0 && invalid == 0; }
 };
 
-/// What is said of one result.
+/// Output for one result, as text and as JSON.
 struct Statement {
   std::string text;
   nlohmann::ordered_json json;
@@ -156,7 +156,7 @@ Statement statement_on(const ResultRecord& record, const Verdict& verdict,
   return statement;
 }
 
-/// Each pair of starts and goals in the world of the scenario.
+/// Judges each pair of start and goal in the world of the scenario. Returns the exit status.
 int check_pairs(const ScenarioProblems& read, ResultReader& reader,
                 const CheckArguments& arguments) {
   const Problem& pattern = read.problems.front();
@@ -197,7 +197,7 @@ int check_goals(const ScenarioProblems& read, const std::vector<ResultRecord>& r
   }
   const std::string reason = is_row ? false_furthest(records) : "";
   if (!reason.empty() && !arguments.json) fmt::print("invalid: {}\n", reason);
-  // A row of goals may hold some that were not reached.
+  // A row passes even if some of its goals were not reached.
   const bool passed = tally.passed() && reason.empty();
   if (arguments.json && is_row) {
     nlohmann::ordered_json row = {{"valid", passed}};

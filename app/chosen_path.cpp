@@ -16,7 +16,7 @@
 namespace vandplan::app {
 namespace {
 
-/// The goal of a row that was asked for, or the furthest one that has a path, or the first one.
+/// Number of a goal in a row: `asked`, or else the furthest goal with a path, or else 0.
 std::size_t goal_of(const ScenarioFile& file, const std::vector<ResultRecord>& records,
                     std::optional<std::size_t> asked) {
   if (asked && *asked >= records.size()) {

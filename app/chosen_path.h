@@ -14,39 +14,38 @@
 
 namespace vandplan::app {
 
-/// Where a path is, as the command line says.
+/// Arguments of a command that say which path of which files it uses.
 struct PathArguments {
   std::string scenario;
   std::string result;
-  std::optional<std::size_t> goal;
-  std::optional<std::size_t> pair;
+  std::optional<std::size_t> goal;  ///< number of the goal in a row, from 0; none: the default
+  std::optional<std::size_t> pair;  ///< number of the pair, from 1; none: not given
 };
 
 /// One path of a result file, with the problem that it solves.
 struct Choice {
-  Scenario scenario;  // with the poses of the problem
+  Scenario scenario;  // scenario with start and goal of the problem
   Problem problem;
   ResultRecord record;
-  std::string label;  // "yard goals[2]"
+  std::string label;  // name for people, such as "yard goals[2]"
 };
 
-/// Adds SCENARIO, RESULT, --goal and --pair to a command; call `add_choice` after its other
-/// options.
-void add_files(CLI::App& command, PathArguments& arguments);
+/// Adds --goal and --pair to a command. Call it after the command's other options are added.
 void add_choice(CLI::App& command, PathArguments& arguments);
 
-/// Reads both files. Of a row of goals it takes the furthest one with a path unless another one is
-/// asked for. Throws InputError.
+/// Reads scenario and result, and takes the path that the arguments name. Without --goal it takes
+/// the furthest goal of a row that has a path. Throws InputError.
 [[nodiscard]] Choice chosen_path(const PathArguments& arguments);
 
-/// Why there is nothing to drive: no path, or one that the judge finds invalid; empty if there is.
+/// Reason why the path cannot be driven: there is none, or the judge finds it invalid. Empty if it
+/// can.
 [[nodiscard]] std::string reason_not_to_drive(const Choice& choice);
 
-/// Throws InputError if the drive over time cannot be written there: an ending of another kind of
-/// file, no such folder, or "-" while --json prints as well.
+/// Throws InputError if a drive cannot be written to `output`: the ending is that of another kind
+/// of file, the file cannot be written, or it is "-" while --json prints as well.
 void expect_drive_output(const std::string& output, const FileKind& kind, bool json);
 
-/// Says why there is nothing to drive; returns the exit status.
+/// Prints the reason why the path is not driven; returns the exit status.
 int refuse(const Choice& choice, const std::string& reason, bool json);
 
 }  // namespace vandplan::app

@@ -10,14 +10,14 @@
 
 namespace vandplan::app {
 
-/// What the shell learns.
+/// Exit statuses of the program.
 namespace exit_status {
 inline constexpr int done = 0;
 inline constexpr int failed = 1;     ///< no path, or a check failed
-inline constexpr int bad_input = 2;  ///< or wrong usage
+inline constexpr int bad_input = 2;  ///< bad input or wrong usage
 }  // namespace exit_status
 
-/// Adds a command. When it is the one that is called, it runs and sets `status`; it throws
+/// Function that adds a command. A command that is called runs and sets `status`. It throws
 /// InputError for bad input.
 using AddCommand = void (*)(CLI::App& vandplan, int& status);
 
@@ -39,13 +39,13 @@ void add_scenario(CLI::App& command, std::string& scenario);
 /// Adds the arguments SCENARIO and RESULT, which have to be given.
 void add_scenario_and_result(CLI::App& command, std::string& scenario, std::string& result);
 
-/// What `--json` prints instead of a summary.
+/// Prints the JSON object that `--json` asks for.
 void print(const nlohmann::ordered_json& object);
 
-/// One of many objects that `--json` prints, on a line of its own.
+/// Prints a JSON object on a line of its own, for commands that print many of them.
 void print_line(const nlohmann::ordered_json& object);
 
-/// Says on the standard error what deserves a look though nothing is wrong, a line each.
+/// Prints warnings on standard error, one per line.
 void warn(const std::vector<std::string>& warnings);
 
 }  // namespace vandplan::app

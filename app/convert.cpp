@@ -39,13 +39,13 @@ void write_map(Scenario& scenario, const std::string& output) {
     return (place.parent_path() / name).string();
   };
   for (const std::string& file : {beside(stem + ".pgm"), beside(scenario.map_file), output}) {
-    expect_writable(file);  // all of them before any is touched
+    expect_writable(file);  // all files, before one is written
   }
   write_file(beside(stem + ".pgm"), map_to_pgm(*scenario.map));
   write_file(beside(scenario.map_file), map_to_yaml(*scenario.map, stem + ".pgm"));
 }
 
-/// Writes a scenario and says so; `more` belongs into what `--json` prints.
+/// Writes a scenario and prints a summary, or JSON with the members of `more`.
 void write(Scenario scenario, const ConvertArguments& arguments,
            const nlohmann::ordered_json& more = nlohmann::ordered_json::object()) {
   expect_ending(arguments.output, scenario_file);
@@ -64,7 +64,7 @@ void write(Scenario scenario, const ConvertArguments& arguments,
              printable(arguments.output));
 }
 
-/// What all formats have.
+/// Adds the options that all formats have.
 void add_output(CLI::App& format, const std::shared_ptr<ConvertArguments>& arguments) {
   format.add_option("-o,--output", arguments->output, "Scenario (YAML)")
       ->type_name("FILE")
@@ -116,7 +116,8 @@ void add_dynobench(CLI::App& convert) {
       [arguments] { write(read_dynobench(arguments->input, arguments->vehicle), *arguments); });
 }
 
-/// "3.5,-2,1.57", as a flag has it.
+/// Pose of a flag with a text such as "3.5,-2,1.57"; none if the text is empty. Throws InputError
+/// naming the flag.
 std::optional<Pose> pose_of(const std::string& flag, const std::string& text) {
   if (text.empty()) return {};
   double numbers[3] = {};

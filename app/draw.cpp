@@ -23,7 +23,8 @@ struct DrawArguments {
   bool json = false;
 };
 
-/// Draws, and says how much of a file with many pairs was drawn: "48 pairs (others: --pair N)".
+/// Draws. Returns what was drawn of a file with many pairs, such as "48 pairs (others: --pair N)";
+/// empty for other files.
 std::string drawn(const DrawArguments& arguments, const ScenarioFile& scenario) {
   const PictureWish wish{arguments.output, arguments.curvature_strip, arguments.plays};
   if (!arguments.result) {

@@ -25,8 +25,8 @@ namespace vandplan::app {
 namespace {
 
 constexpr int most_runs = 1'000'000;
-constexpr double most_rows = 2e6;
-constexpr double row_duration = 0.02;  // [s]
+constexpr double most_rows = 2e6;      // rows of a log
+constexpr double row_duration = 0.02;  // time between rows of a log [s]
 constexpr double confidence = 0.95;
 constexpr double degree = std::numbers::pi / 180;
 
@@ -40,18 +40,20 @@ struct DriveArguments {
   bool json = false;
 };
 
-/// The worst and the mean of many drives of one path.
+/// Worst and mean figures of many drives of one path.
 struct DriveTotals {
   int runs = 0;
   int arrived = 0;
   int contacts = 0;
-  DriveResult worst = {};  ///< each figure is the worst one, but for the means; no contact, no log
-  double lateral_squares = 0.0;
-  double heading_squares = 0.0;
-  double trailer_squares = 0.0;
-  double durations = 0.0;               ///< sum [s]
-  std::optional<Contact> contact = {};  ///< the earliest one
-  std::uint64_t seed = 0;               ///< of its drive, else of the largest deviation
+  DriveResult worst = {};        ///< worst value of each figure; no means, contact or log
+  double lateral_squares = 0.0;  ///< sum of squared RMS lateral deviations [m^2]
+  double heading_squares = 0.0;  ///< sum of squared RMS heading deviations [rad^2]
+  double trailer_squares = 0.0;  ///< sum of squared RMS lateral deviations of the trailer [m^2]
+  double durations = 0.0;        ///< sum of the durations [s]
+  std::optional<Contact> contact = {};  ///< earliest contact of all drives
+  /// Seed of the drive with `contact`; without a contact, of the drive with the largest deviation
+  /// of the outline.
+  std::uint64_t seed = 0;
 
   void add(const DriveResult& drive, std::uint64_t its_seed);
   void add_trailer(const DriveResult& drive);
@@ -105,7 +107,7 @@ void DriveTotals::add_trailer(const DriveResult& drive) {
   raise(&TrailerDeviation::hitch_deviation);
 }
 
-/// An error of an option of the library, by the name that the option has here.
+/// The error of a library option, naming the flag of the command line instead.
 InputError renamed(const InputError& error) {
   for (const char* name : {"controller", "noise", "delay", "reserve"}) {
     if (error.where() == name) return {"--" + error.where(), error.problem()};
@@ -132,8 +134,8 @@ DriveTotals all_driven(const Choice& choice, const DriveArguments& arguments) {
   return totals;
 }
 
-/// How far the path is driven with the wheels turned as far as they go [m]. A controller that has
-/// no spare steering cannot correct there.
+/// Length of the path's segments at full lock [m]. A controller without spare steering cannot
+/// correct there.
 double metres_at_full_lock(const Path& path, const Vehicle& vehicle) {
   constexpr double nearly = 0.999;
   const double most = nearly / vehicle.min_turning_radius;
@@ -287,7 +289,7 @@ void print_summary(const Choice& choice, const DriveArguments& arguments, const 
                  : "");
 }
 
-/// Drives once more, and writes how.
+/// Repeats the drive with the seed of the totals, and writes its log and picture.
 void write_worst(const Choice& choice, const DriveArguments& arguments, const DriveTotals& totals) {
   if (!arguments.output && !arguments.picture) return;
   if (totals.worst.duration / row_duration > most_rows) {

@@ -11,7 +11,7 @@
 namespace vandplan::app {
 namespace {
 
-/// Endings that promise a format.
+/// Endings that stand for a known format.
 constexpr std::string_view known_endings[] = {
     ".bmp",   ".csv",    ".db",     ".gif", ".html", ".jpeg", ".jpg",  ".json",
     ".jsonl", ".md",     ".ndjson", ".pdf", ".pgm",  ".png",  ".svg",  ".toml",

@@ -11,7 +11,7 @@ namespace vandplan::app {
 
 /// A kind of file that is written, and the endings that names of such files have.
 struct FileKind {
-  std::string_view name;
+  std::string_view name;  ///< clause for errors, such as "a scenario is YAML"
   std::vector<std::string_view> endings;
 };
 
@@ -23,8 +23,8 @@ inline const FileKind scenario_file = {"a scenario is YAML", {".yaml", ".yml"}};
 /// Whether the name of a file has one of the endings of that kind.
 [[nodiscard]] bool has_ending(const std::string& file, const FileKind& kind);
 
-/// Throws InputError when the ending of a name promises another kind of file, such as ".csv" for a
-/// result. Endings that promise nothing known, and names without one, will do.
+/// Throws InputError when the ending of a file's name stands for another kind of file, such as
+/// ".csv" for a result. Unknown endings, and names without an ending, are accepted.
 void expect_ending(const std::string& file, const FileKind& kind);
 
 }  // namespace vandplan::app

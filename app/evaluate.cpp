@@ -28,9 +28,10 @@ namespace fs = std::filesystem;
 using namespace evaluation;
 
 constexpr const char* default_output = "out/evaluation";
-constexpr const char* default_time = "0.1";  // [s], the thesis'
-// The thesis' claims are judged under its printed methods first: the others get fewer runs, so that
-// all of it takes at most 6 min 20 s on two cores, even if every run takes all of its time.
+constexpr const char* default_time = "0.1";  // limit of the thesis [s]
+// Repeats of the group thesis-goal. The thesis' claims are judged under its printed methods, so the
+// others get fewer runs. Then a default campaign takes at most 6 min 20 s on two cores, even if
+// every run takes all of its time.
 const RepeatCap default_cap{"thesis-goal", 5, 1};
 
 struct EvaluateArguments {
@@ -53,7 +54,7 @@ struct EvaluateArguments {
   LiveArguments live;
 };
 
-// The folder of store and report: each shard has its own.
+// Folder of store and report. Each shard has a folder of its own.
 std::string output_of(const EvaluateArguments& arguments) {
   if (arguments.output) return *arguments.output;
   if (!arguments.shard) return default_output;
@@ -61,8 +62,8 @@ std::string output_of(const EvaluateArguments& arguments) {
   return fmt::format("{}/shard-{}-of-{}", default_output, number, of);
 }
 
-// The YAML files of a folder in order of their names, or the file itself. Maps lie beside the
-// scenarios that name them.
+// Scenario files at a path: the YAML files of a folder in the order of their names, or the file
+// itself. Maps beside the scenarios are skipped.
 std::vector<std::string> scenario_files(const std::string& path) {
   if (!fs::is_directory(path)) return {path};
   std::vector<std::string> files, maps;
@@ -107,7 +108,7 @@ std::vector<Setting> settings_of(const EvaluateArguments& arguments) {
   return settings;
 }
 
-// Who says how many repeats or repeats per goal he wants gets that many of every planner.
+// Sets the repeats of a campaign. Repeats that the user gives hold for every planner, without caps.
 void set_repeats(const EvaluateArguments& arguments, Campaign& campaign) {
   const Campaign standard;
   campaign.repeats = arguments.repeats.value_or(standard.repeats);
@@ -137,7 +138,7 @@ Campaign campaign_of(const EvaluateArguments& arguments) {
   return campaign;
 }
 
-// A store that is there is only touched by who says so.
+// Throws InputError if the store exists already and --resume is not given.
 void expect_new_store(const EvaluateArguments& arguments) {
   const std::string file = store_file(output_of(arguments));
   if (fs::exists(file) && !arguments.resume)
@@ -169,7 +170,7 @@ void show(const EvaluateArguments& arguments, const Comparison& comparison) {
   if (missing > 0) fmt::print("{} runs are missing; --resume runs them.\n", missing);
 }
 
-// Without a run: other stores' runs are added, and the report is written.
+// Runs nothing: adds the runs of other stores or joins shards, and writes the report.
 Comparison report_again(const EvaluateArguments& arguments) {
   const std::string folder = output_of(arguments);
   if (std::ranges::any_of(arguments.merged, is_shard))
@@ -220,7 +221,7 @@ int run_part(const EvaluateArguments& arguments) {
   return missing == 0 ? exit_status::done : exit_status::failed;
 }
 
-/// Drives in place of plans: every scenario so many times, each with a seed of its own.
+/// Drives every scenario `repeats` times, with a seed of its own each time, for --replan.
 int drive_all(const EvaluateArguments& arguments) {
   std::vector<std::string> files;
   for (const std::string& path : arguments.scenarios) {

@@ -22,9 +22,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* log_name = "gnuplot.log";
-constexpr int not_installed = 127;
+constexpr int not_installed = 127;  // exit status of shells for an unknown command
 
-/// A folder that is gone in the end, with all that is in it.
+/// A temporary folder, which the destructor removes with all files in it.
 class ScratchFolder {
  public:
   ScratchFolder() : path_((fs::temp_directory_path() / "vandplan-XXXXXX").string()) {
@@ -43,7 +43,7 @@ class ScratchFolder {
   std::string path_;
 };
 
-/// Runs `gnuplot SCRIPT` in a folder and returns its exit status; what it says goes into a log.
+/// Runs `gnuplot SCRIPT` in a folder and returns its exit status. Its output goes into a log file.
 int run_gnuplot(const std::string& folder, const std::string& script) {
   const pid_t child = ::fork();
   if (child < 0) throw std::runtime_error("cannot start gnuplot");

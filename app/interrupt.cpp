@@ -8,7 +8,7 @@ namespace vandplan::app {
 namespace {
 
 std::atomic<bool> stop_wanted = false;
-static_assert(std::atomic<bool>::is_always_lock_free);  // so that a handler may set it
+static_assert(std::atomic<bool>::is_always_lock_free);  // required in a signal handler
 
 extern "C" void request_stop(int) {
   stop_wanted = true;

@@ -7,7 +7,8 @@
 
 namespace vandplan::app {
 
-/// From the first call on, SIGINT and SIGTERM set this to true; a second signal kills.
+/// Flag that SIGINT and SIGTERM set to true from the first call on. A second signal ends the
+/// program.
 [[nodiscard]] const std::atomic<bool>* stop_on_signal();
 
 }  // namespace vandplan::app

@@ -23,10 +23,10 @@ namespace vandplan::app {
 namespace {
 
 constexpr double live_confidence = 0.95;
-constexpr int live_picture_width = 1200;  // points
+constexpr int live_picture_width = 1200;  // pixels or points
 constexpr const char* actions_flag = "--actions";
 
-/// An error of an option of the library, by the name that the option has here.
+/// The error of a library option, naming the flag of the command line instead.
 InputError renamed_live(const InputError& error) {
   constexpr std::pair<const char*, const char*> names[] = {{"period", "--replan"},
                                                            {"sensor_range", "--sensor-range"},
@@ -77,7 +77,7 @@ LiveDriveResult driven_live(const Scenario& scenario, const LiveDriveOptions& op
   }
 }
 
-/// Many drives of one scenario.
+/// Sums and worst figures of many drives of one scenario.
 struct LiveTotals {
   int runs = 0;
   int arrived = 0;
@@ -88,13 +88,13 @@ struct LiveTotals {
   int stops = 0;
   int new_ways = 0;
   int new_times = 0;
-  double duration = 0.0;  // sum [s]
+  double duration = 0.0;  // sum of the durations [s]
   double clearance = std::numeric_limits<double>::infinity();
   double moving_clearance = std::numeric_limits<double>::infinity();
   double end_distance = 0.0;
   double end_heading = 0.0;
-  std::optional<Contact> contact = {};  // the first one of the first drive with one
-  std::uint64_t seed = 0;               // of that drive, or of the first one
+  std::optional<Contact> contact = {};  // contact of the first drive that has one
+  std::uint64_t seed = 0;               // seed of the drive with `contact`, else of the first
 
   void add(const LiveDriveResult& drive, std::uint64_t its_seed) {
     if (runs++ == 0) seed = its_seed;
@@ -198,9 +198,9 @@ void print_live(const ScenarioFile& file, const LiveDriveOptions& options,
   fmt::print("\n");
 }
 
-/// A drive in arcs of a tenth of a second, to look at.
+/// A drive in arcs of 0.1 s: few enough for a picture.
 TimedPath coarse(const TimedPath& driven) {
-  constexpr double step = 0.1;  // [s]
+  constexpr double step = 0.1;  // duration of an arc [s]
   TimedPath result{{driven.path.start, {}}, {}};
   std::vector<SpeedKnot>& knots = result.speeds.knots;
   double begin = 0.0, s = 0.0, length = 0.0, turn = 0.0;
@@ -243,7 +243,7 @@ void write_live_picture(const std::string& picture, const Scenario& scenario,
   write_file(picture, draw(drawing, format, live_picture_width));
 }
 
-/// Drives once more, and writes how.
+/// Repeats the drive with the seed `seed`, and writes its log, actions and picture.
 void write_live(const ScenarioFile& file, LiveDriveOptions options, const LiveArguments& arguments,
                 const LiveRuns& runs, std::uint64_t seed) {
   if (!runs.output && !runs.picture && !arguments.actions) return;

@@ -13,28 +13,28 @@
 
 namespace vandplan::app {
 
-/// How to plan anew, as the command line says.
+/// Arguments of a command that plans while driving.
 struct LiveArguments {
-  std::optional<double> period;  ///< there is one: it is asked for [s]
-  std::optional<double> sensor_range;
+  std::optional<double> period;        ///< replanning period [s]; none: no --replan
+  std::optional<double> sensor_range;  ///< range of the sensor [m]; none: all is known
   std::string prediction = "known";
-  double horizon = LiveDriveOptions{}.horizon;
-  std::optional<std::string> actions;
-  double rate = 50.0;  ///< of actions [1/s]
+  double horizon = LiveDriveOptions{}.horizon;  ///< horizon of the prediction [s]
+  std::optional<std::string> actions;           ///< file of planned actions; none: not written
+  double rate = 50.0;                           ///< actions per second [1/s]
   std::vector<TypedOption> options;
 };
 
-/// What else a command says of drives.
+/// Other arguments of simulated drives.
 struct LiveRuns {
   DriveOptions drive = {};
   int runs = 1;
-  std::optional<std::string> output = {};  ///< of the log
-  std::optional<std::string> picture = {};
+  std::optional<std::string> output = {};   ///< file of the log; none: not written
+  std::optional<std::string> picture = {};  ///< file of the picture; none: not drawn
   bool json = false;
 };
 
-/// Adds --replan, --sensor-range, --prediction, --horizon; with `is_one` also --actions, --rate and
-/// --set.
+/// Adds --replan, --sensor-range, --prediction and --horizon to a command. With `is_one`, for a
+/// command that drives one scenario, it also adds --actions, --rate and --set.
 void add_live_options(CLI::App& command, LiveArguments& arguments, bool is_one);
 
 /// Drives one scenario; returns the exit status.
@@ -45,7 +45,7 @@ void add_live_options(CLI::App& command, LiveArguments& arguments, bool is_one);
 [[nodiscard]] int compare_live(const std::vector<std::string>& files,
                                const LiveArguments& arguments, const LiveRuns& runs);
 
-/// A log as CSV.
+/// The log of a drive as CSV.
 [[nodiscard]] std::string csv_of(const std::vector<DriveMoment>& log);
 
 }  // namespace vandplan::app

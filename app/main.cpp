@@ -24,14 +24,14 @@ constexpr AddCommand commands[] = {add_plan,  add_check,   add_draw,     add_spe
                                    add_drive, add_smooth,  add_evaluate, add_table,
                                    add_study, add_convert, add_planners};
 
-/// Says on one line what is wrong.
+/// Prints a problem on one line of standard error; returns `status`.
 int complain(std::string problem, int status) {
   std::replace(problem.begin(), problem.end(), '\n', ' ');
   say(fmt::format("vandplan: {}\n", printable(problem)));
   return status;
 }
 
-/// Needs no memory itself.
+/// Prints that memory ran out, without allocating any; returns the exit status.
 int complain_of_memory() noexcept {
   say("vandplan: out of memory\n");
   return exit_status::bad_input;
@@ -85,7 +85,8 @@ void warn(const std::vector<std::string>& warnings) {
 
 namespace {
 
-/// What `main` answers, unless memory runs out.
+/// Runs the program and prints its errors; returns the exit status. Throws std::bad_alloc if memory
+/// runs out.
 int answer(int argc, char** argv) {
   try {
     const int status = run(argc, argv);
@@ -94,7 +95,7 @@ int answer(int argc, char** argv) {
                     exit_status::bad_input);
   } catch (const std::bad_alloc&) {
     throw;
-  } catch (const std::length_error&) {  // more than a container could ever hold
+  } catch (const std::length_error&) {  // larger than a container can be
     throw std::bad_alloc();
   } catch (const InputError& error) {
     return complain(error.what(), exit_status::bad_input);
@@ -104,7 +105,7 @@ int answer(int argc, char** argv) {
                       exit_status::bad_input);
     }
     const bool lacks_room = error.code() == std::errc::not_enough_memory ||
-                            error.code() == std::errc::resource_unavailable_try_again;  // a thread
+                            error.code() == std::errc::resource_unavailable_try_again;  // no thread
     if (lacks_room) throw std::bad_alloc();
     return complain(error.what(), exit_status::failed);
   } catch (const std::exception& error) {
@@ -119,7 +120,7 @@ int main(int argc, char** argv) {
   vandplan::app::open_standard_streams();
   try {
     return vandplan::app::answer(argc, argv);
-  } catch (const std::bad_alloc&) {  // of the run, or of the complaint
+  } catch (const std::bad_alloc&) {  // thrown by the run, or by printing an error
     return vandplan::app::complain_of_memory();
   }
 }

@@ -13,14 +13,14 @@
 namespace vandplan::app {
 namespace {
 
-/// The time since the start, as ROS has it: {sec: 3, nanosec: 250000000}.
+/// Time since the start [s] as a stamp of ROS: {sec: 3, nanosec: 250000000}.
 std::string stamp(double t) {
   constexpr std::int64_t second = 1'000'000'000;
   const auto nanoseconds = static_cast<std::int64_t>(std::llround(t * 1e9));
   return fmt::format("{{sec: {}, nanosec: {}}}", nanoseconds / second, nanoseconds % second);
 }
 
-/// A number that no reader of YAML takes for a whole one or for text: 3.0, 1.0e-05.
+/// A number as text that YAML readers take for neither an integer nor a string: 3.0, 1.0e-05.
 std::string real(double value) {
   std::string text = fmt::format("{}", value);
   if (text.find('.') == std::string::npos) text.insert(std::min(text.find('e'), text.size()), ".0");

@@ -14,8 +14,9 @@ namespace vandplan::app {
 inline const FileKind motions_file = {"a drive is CSV, or YAML for a nav_msgs/Path",
                                       {".csv", ".yaml", ".yml"}};
 
-/// Writes the motions of a drive, whole or not at all: a table with a row each (CSV); if the name
-/// ends in .yaml or .yml, a nav_msgs/Path with a pose each, in the frame of that name.
+/// Writes the motions of a drive to a file, whole or not at all. The file is a table with a row per
+/// motion (CSV). If its name ends in .yaml or .yml, it is a nav_msgs/Path with a pose per motion
+/// and the frame_id `frame`.
 void write_motions(const std::string& output, const std::vector<Motion>& motions,
                    const std::string& frame);
 

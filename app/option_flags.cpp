@@ -26,7 +26,7 @@ constexpr Flag flags[] = {
     {"--max-nodes", "max_nodes", "N"}, {"--seed", "seed", "N"},
     {"--threads", "threads", "N"},     {"--region", "region", "bounds|scene"}};
 
-/// A value as one types it.
+/// A JSON value as a user types it: without quotes.
 std::string typed_text(std::string json) {
   std::erase(json, '"');
   return json;
@@ -53,7 +53,7 @@ OptionText option_text(const OptionInfo& info) {
           info.summary + "; " + info.range()};
 }
 
-/// The option of that name, of all planners or of the first that has one of its own.
+/// Help on the option of that name: a common option, or that of the first planner that has it.
 OptionText option_text(std::string_view name) {
   for (const CommonOption& option : common_options()) {
     if (option.name == name) return option_text(option);
@@ -70,7 +70,7 @@ std::string line_of(const OptionText& text) {
   constexpr std::size_t column = 30;
   constexpr std::size_t widest = 100;
   std::string lines = fmt::format("  {:<28}", text.name + "=" + text.standard);
-  std::size_t at = lines.size();  // of the line that is being written
+  std::size_t at = lines.size();  // length of the current line
   const auto break_line = [&] {
     lines += "\n" + std::string(column, ' ');
     at = column;
@@ -86,7 +86,7 @@ std::string line_of(const OptionText& text) {
   return lines + "\n";
 }
 
-/// Adds an option of a planner to those of its family; "a|b" for a default in which they differ.
+/// Adds an option of a planner to the options of its family. Different defaults become "a|b".
 void add_to(std::vector<OptionText>& texts, const OptionText& text) {
   const auto known = std::ranges::find(texts, text.name, &OptionText::name);
   if (known == texts.end()) {
@@ -98,7 +98,7 @@ void add_to(std::vector<OptionText>& texts, const OptionText& text) {
   if (!is_listed) known->standard += "|" + text.standard;
 }
 
-/// The planners of a family that have the same options of their own.
+/// Help on the own options of all planners of a family.
 std::string help_on_family(const std::string& family) {
   std::vector<OptionText> texts;
   int members = 0;

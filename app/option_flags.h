@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which options of planners can be typed, and what is made of them?
+// Which options of planners can be typed, and how are they applied?
 //
-// Flags and keys are collected first and given to the planner once it is known: whether an option
-// is honoured, and what it may be, depends on it.
+// Flags and keys are collected first, and applied once the planner is known: it decides which
+// options are honoured and which values are allowed.
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
@@ -19,40 +19,40 @@ namespace vandplan::app {
 
 /// An option of a planner that somebody typed.
 struct TypedOption {
-  std::string typed;   ///< how errors call it: "--max-nodes", or the key of --set
-  std::string option;  ///< its name
-  std::string value;
+  std::string typed;   ///< name in errors: "--max-nodes", or the key of --set
+  std::string option;  ///< name of the option
+  std::string value;   ///< value as it was typed
 };
 
 /// Adds --time, --max-iterations, --max-nodes, --seed, --threads, --region and --set to a command.
-/// What is typed is added to `typed`, in that order, which has to live as long as the command.
+/// Typed options are appended to `typed`, in their order. `typed` outlives the command.
 void add_option_flags(CLI::App& command, std::vector<TypedOption>& typed);
 
-/// Adds --seed to a command. A minus is refused, which CLI11 would turn into a large number.
+/// Adds --seed to a command. Negative numbers are refused: CLI11 would turn them into large ones.
 CLI::Option* add_seed(CLI::App& command, std::uint64_t& seed, const std::string& about);
 
-/// "KEY=VALUE" as it stands behind --set. Throws InputError for anything else.
+/// The option of a text "KEY=VALUE" behind --set. Throws InputError for any other text.
 [[nodiscard]] TypedOption typed_setting(const std::string& setting);
 
-/// What a file wants as far as the planner honours it, and above that what was typed. Throws
-/// InputError naming what was typed when the planner does not honour it or the value is no good.
+/// Options of a file that the planner honours, overridden by typed options. Throws InputError
+/// naming a typed option that the planner does not honour, or whose value is wrong.
 [[nodiscard]] PlanOptions options_for(const Planner& planner,
                                       std::span<const Setting> wanted_by_file,
                                       const std::vector<TypedOption>& typed);
 
-/// Sets what was typed above the options that there are. Throws as `options_for`.
+/// Overrides options by typed options. Throws as `options_for`.
 void set_typed(PlanOptions& options, const Planner& planner, const std::vector<TypedOption>& typed);
 
-/// A line for each option that all planners have.
+/// Help: a line for each option that all planners have.
 [[nodiscard]] std::string help_on_common_options();
 
-/// A line for each of the planner's own options.
+/// Help: a line for each of the planner's own options.
 [[nodiscard]] std::string help_on_options_of(const Planner& planner);
 
-/// Lines for the own options of all planners, family by family.
+/// Help: lines for the own options of all planners, family by family.
 [[nodiscard]] std::string help_on_own_options();
 
-/// The part of the work that "2/8" means. Throws InputError for what is not I/N with I from 1 to N.
+/// The shard of a text such as "2/8". Throws InputError unless the text is I/N with I from 1 to N.
 [[nodiscard]] evaluation::Shard shard_in(const std::string& text);
 
 }  // namespace vandplan::app

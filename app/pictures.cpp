@@ -51,14 +51,14 @@ Drawing drawing_of(const Scenario& scenario, const ResultRecord* record) {
   return drawing;
 }
 
-/// The times of a record's path: those that it has, or those of the fastest drive.
+/// Speeds of a result; if it has none, those of the fastest drive along its path.
 SpeedProfile speeds_of(const Scenario& scenario, const PlanResult& result) {
   if (result.speeds) return *result.speeds;
   return speed_profile(*result.path, scenario.vehicle,
                        {.start_curvature = scenario.curvatures.start});
 }
 
-/// A pair and the scenario that it makes.
+/// A pair, and the scenario with the pair's start and goal.
 struct PairPicture {
   Scenario scenario;
   PairRecord pair;

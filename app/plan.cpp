@@ -32,7 +32,7 @@ struct PlanArguments {
   PictureWish picture;
   std::optional<std::string> poses;
   std::optional<evaluation::Shard> shard;
-  int jobs = 0;  // as many as there are processors
+  int jobs = 0;  // pairs planned at once; 0: one per processor
   bool json = false;
 };
 
@@ -53,7 +53,7 @@ std::vector<ResultRecord> plan_goals(const ScenarioProblems& read, const Planner
 
 /// ", proven: at most 12.3 % above the optimum"; empty where nothing is proven.
 std::string proof_text(const PlanResult& result) {
-  constexpr double weak = 0.25;  // a gap that says more of the bound than of the path
+  constexpr double weak = 0.25;  // gap above which the bound counts as weak
   if (!(result.lower_bound > 0)) return "";
   const double gap = result.cost / result.lower_bound - 1;
   return fmt::format(", proven: at most {:.1f} % above the optimum{}", 100 * gap,
@@ -96,7 +96,7 @@ void print_summary(const ScenarioFile& file, const std::vector<ResultRecord>& re
   fmt::print("furthest: {}\n", furthest ? fmt::format("{:.6g} m", *furthest) : "none");
 }
 
-/// What cannot be written is said before time is spent.
+/// Throws InputError for files that cannot be written, before time is spent on planning.
 void check_outputs(const PlanArguments& arguments) {
   if (arguments.output && arguments.poses) expect_ending(*arguments.output, result_lines_file);
   if (arguments.output && !arguments.poses) expect_ending(*arguments.output, result_file);
@@ -124,7 +124,7 @@ int run(const PlanArguments& arguments) {
     options.primitives = primitives;
     return complete(planner, options, vehicle);
   };
-  (void)options_with({}, {});  // before a long read
+  (void)options_with({}, {});  // finds wrong options before a long read
   const std::atomic<bool>* const stop = stop_on_signal();
   check_outputs(arguments);
   const ScenarioProblems read = read_problems(arguments.scenario);
@@ -183,7 +183,7 @@ std::string help_on_keys() {
 void add_plan(CLI::App& vandplan, int& status) {
   const std::string about = "Plan a path for a scenario.";
   CLI::App* const command = vandplan.add_subcommand("plan", about);
-  // The list of all commands has no room for examples.
+  // Examples are added for the command's own help: the list of all commands has no room for them.
   command->preparse_callback(
       [command, about](std::size_t) { command->description(about + "\n\n" + examples_of_use); });
   const auto arguments = std::make_shared<PlanArguments>();

@@ -24,7 +24,8 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-// A problem and its result take many times the memory of a pair, of which there may be millions.
+// Problems in memory at once. A problem and its result take many times the memory of a pair, and
+// there may be millions of pairs.
 constexpr std::size_t problems_at_once = 4096;
 
 /// A pair and its number in the file, counted from 1.
@@ -33,7 +34,7 @@ struct NumberedPair {
   PosePair pair;
 };
 
-/// Whether a pair falls into a shard: that depends on its six numbers alone.
+/// Whether a pair falls into a shard, which depends on the six numbers of the pair alone.
 bool is_in(const evaluation::Shard& shard, const PosePair& pair) {
   std::uint64_t key = 0;
   for (const Pose& pose : {pair.start, pair.goal}) {
@@ -60,7 +61,7 @@ std::vector<Problem> problems_of(const Problem& pattern, std::span<const Numbere
   return problems;
 }
 
-/// How each pair is planned, and how many at a time.
+/// Planner and options for all pairs, and the number of pairs planned at once.
 struct Manner {
   const Planner& planner;
   const PlanOptions& options;
@@ -69,7 +70,8 @@ struct Manner {
 
 using Take = std::function<void(std::size_t pair, const Problem& problem, PlanResult result)>;
 
-/// Plans all pairs in the world of `pattern`; hands results over in their order.
+/// Plans all pairs in the world of `pattern`, and hands the results to `take` in the order of the
+/// pairs.
 void plan_all(const Problem& pattern, std::span<const NumberedPair> pairs, const Manner& manner,
               const Take& take) {
   for (std::size_t first = 0; first < pairs.size(); first += problems_at_once) {
@@ -88,8 +90,8 @@ std::string outcome_text(const PlanResult& result) {
   return "solved: " + path_text(*result.check) + ", " + time;
 }
 
-/// Takes results in as they come: JSON is written at once, a summary kept until the end, lest it
-/// come between the lines of the progress bar.
+/// Writes results as JSON at once, and keeps the summary until the end. Otherwise its lines would
+/// stand between those of the progress bar.
 class Results {
  public:
   Results(const ResultRecord& pattern, const PosesJob& job) : pattern_(pattern), job_(job) {

@@ -12,18 +12,18 @@
 
 namespace vandplan::app {
 
+/// Arguments of `plan --poses`.
 struct PosesJob {
   std::string poses;                  ///< file of starts and goals
-  std::optional<std::string> output;  ///< for the results (JSON Lines)
-  int jobs = 1;                       ///< plans at a time; >= 1
-  /// Only those pairs that fall into it, by a hash of start and goal.
+  std::optional<std::string> output;  ///< file of the results (JSON Lines or binary)
+  int jobs = 1;                       ///< pairs planned at once; >= 1
+  /// Part of the pairs that is planned, chosen by a hash of start and goal. None: all pairs.
   std::optional<evaluation::Shard> shard;
-  bool json = false;  ///< print the results instead of a summary
+  bool json = false;  ///< whether results are printed instead of a summary
 };
 
-/// Plans all pairs in the world of a scenario, prints a line for each, in their order and with its
-/// number among all of them, and how many there were. Returns the exit status: 0 if all of them are
-/// solved.
+/// Plans all pairs in the world of a scenario. Prints a line for each pair, numbered as in the
+/// file and in this order, then totals. Returns the exit status: 0 if all pairs are solved.
 [[nodiscard]] int plan_poses(const ScenarioProblems& read, const Planner& planner,
                              const PlanOptions& options, const PosesJob& job);
 

@@ -13,12 +13,13 @@ namespace vandplan::app {
 namespace {
 
 constexpr int bar_width = 30;
-constexpr double redraw_interval = 0.1;  // [s], on a terminal
-constexpr double line_interval = 15.0;   // [s], elsewhere
+constexpr double redraw_interval = 0.1;  // time between bars on a terminal [s]
+constexpr double line_interval = 15.0;   // time between lines elsewhere [s]
 
 std::string progress_text(const Progress& progress) {
   const int finished = progress.kept + progress.done;
-  const int percent = static_cast<int>(100LL * finished / progress.total);  // 100: all of them
+  // Rounded down, so that 100 % means all runs.
+  const int percent = static_cast<int>(100LL * finished / progress.total);
   return fmt::format("{:3} %  {} of {} runs, {} left", percent, finished, progress.total,
                      progress.done > 0 ? duration_text(progress.left()) : "?");
 }

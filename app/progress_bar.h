@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How far is it, and how long will it take?
+// How far has the work come, and how long will it take?
 
 #include <string>
 
@@ -11,7 +11,8 @@ namespace vandplan::app {
 
 using evaluation::Progress;
 
-/// Shows progress on standard error: a bar that is redrawn on a terminal, else a line now and then.
+/// Shows progress on standard error: a bar that is redrawn on a terminal, a line every 15 s
+/// elsewhere.
 class ProgressBar {
  public:
   ProgressBar();
@@ -24,11 +25,11 @@ class ProgressBar {
  private:
   bool terminal_;
   bool drawn_ = false;
-  bool finished_ = false;  // the end is shown once
-  double next_ = 0.0;      // when to show something again [s]
+  bool finished_ = false;  // whether the end was shown
+  double next_ = 0.0;      // elapsed time of the next output [s]
 };
 
-/// "2 min 05 s".
+/// A duration as text, such as "2 min 05 s".
 [[nodiscard]] std::string duration_text(double seconds);
 
 }  // namespace vandplan::app

@@ -35,12 +35,12 @@ struct SmoothArguments {
 /// A result before and after smoothing.
 struct Run {
   ResultRecord before;
-  ResultRecord after;  ///< the same if there is no path
+  ResultRecord after;  ///< result after smoothing; equals `before` without a path
   Smoothed smoothed = {};
 };
 
-/// The options by which a result is smoothed. Throws InputError naming what was typed, or the file
-/// of the result.
+/// Options for smoothing a result. Throws InputError naming a typed option that is wrong, or the
+/// file of the result.
 PlanOptions options_of(const SmoothArguments& arguments, const ScenarioFile& scenario,
                        const ResultRecord& record) {
   PlanOptions options;
@@ -67,8 +67,8 @@ Run smoothed(const Problem& problem, const ResultRecord& record, SmoothMethod me
   return run;
 }
 
-/// "71.230 m before": what the path that was given costs by the same options, and why it would not
-/// do.
+/// "71.230 m before": cost of the given path under the same options, and its fault if it is not
+/// allowed.
 std::string before_text(const Smoothed& smoothed) {
   const bool is_time = smoothed.options.cost.measure == CostMeasure::time;
   std::string text = is_time ? seconds_text(smoothed.given_cost) : metres_text(smoothed.given_cost);

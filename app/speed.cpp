@@ -21,20 +21,20 @@
 namespace vandplan::app {
 namespace {
 
-constexpr double most_rows = 2e6;
+constexpr double most_rows = 2e6;  // rows of a table
 
 struct SpeedArguments {
   PathArguments path;
   std::optional<std::string> output;
-  double step = 0.05;         // between rows [s]
-  std::string frame = "map";  // of a nav_msgs/Path
+  double step = 0.05;         // largest time between rows [s]
+  std::string frame = "map";  // frame_id of a nav_msgs/Path
   bool json = false;
 };
 
-/// The longest way from stop to stop.
+/// Part of a path between two stops.
 struct Stretch {
-  double length = 0.0;    // [m]
-  double duration = 0.0;  // [s]
+  double length = 0.0;    // length of the part [m]
+  double duration = 0.0;  // driving time of the part [s]
 };
 
 Stretch longest_stretch(const SpeedProfile& profile) {
@@ -58,7 +58,7 @@ constexpr std::array bounds = {SpeedBound::max_speed,     SpeedBound::lateral_ac
                                SpeedBound::braking,       SpeedBound::jerk,
                                SpeedBound::standing};
 
-/// How long that is what keeps the vehicle from being faster [s].
+/// Time during which `bound` keeps the vehicle from driving faster [s].
 double time_bound_by(SpeedBound bound, const SpeedProfile& profile) {
   double sum = 0.0;
   for (std::size_t i = 0; i + 1 < profile.knots.size(); ++i) {
@@ -67,7 +67,7 @@ double time_bound_by(SpeedBound bound, const SpeedProfile& profile) {
   return sum;
 }
 
-/// Where the vehicle stands between start and goal; turning wheels at the start is no stop.
+/// Number of stops between start and goal. Turning the wheels at the start is no stop.
 std::ptrdiff_t stops_on_the_way(const SpeedProfile& profile) {
   return std::ranges::count_if(profile.stops, [](const Stop& stop) { return stop.s > 0.0; });
 }
@@ -117,7 +117,7 @@ void print_summary(const Choice& choice, const SpeedProfile& profile) {
   if (!shares.empty()) fmt::print("  limited by: {}\n", shares);
 }
 
-/// What ROS calls a frame.
+/// Throws InputError unless ROS accepts the name of the frame.
 void check_frame(const std::string& frame) {
   const auto is_plain = [](unsigned char c) {
     return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '/' || c == '.';

@@ -14,7 +14,7 @@ namespace vandplan::app {
 void open_standard_streams() noexcept {
   for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(number, F_GETFD) >= 0 || errno != EBADF) continue;
-    // The lowest number that is free is this one.
+    // `open` takes the lowest free number, which is `number`.
     if (::open("/dev/null", O_RDWR) != number) std::_Exit(2);
   }
 }

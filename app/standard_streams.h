@@ -7,11 +7,11 @@
 
 namespace vandplan::app {
 
-/// Opens those of the three standard descriptors that are closed on /dev/null: else the next file
-/// that is opened would get their number, and what is printed would land in it.
+/// Opens /dev/null for each standard descriptor that is closed. Otherwise the next file that is
+/// opened would get the number of the descriptor, and printed text would land in this file.
 void open_standard_streams() noexcept;
 
-/// Writes to standard error as far as that is possible: where to complain of it otherwise?
+/// Writes to standard error. Failures are ignored, because there is no place to report them.
 void say(std::string_view text) noexcept;
 
 }  // namespace vandplan::app

@@ -26,13 +26,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What every study is asked for.
+/// Arguments that every study has.
 struct StudyArguments {
   std::string folder = "out/studies";
   bool json = false;
 };
 
-/// Writes the files of a study and says what came out.
+/// Writes the files of a study and prints its summary.
 template <class Study>
 void report(const Study& study, const StudyArguments& arguments) {
   const StudyFiles files = files_of(study);
@@ -65,7 +65,7 @@ void check_metres(const char* flag, double value) {
   throw InputError(flag, fmt::format("is {}, expected 0.001 to 1000000 m", value));
 }
 
-/// Adds options, with the value that is there as the default.
+/// Adds options to a command. The present value of each variable is the default.
 class Options {
  public:
   explicit Options(CLI::App& command) : command_(command) {}
@@ -111,7 +111,8 @@ class Options {
   CLI::App& command_;
 };
 
-/// Adds `name`, whose `options` (a plain struct) are filled by `declare`, and `study` runs with.
+/// Adds a study as the command `name`. `declare` adds the flags of its options, a plain struct, and
+/// `study` runs with these options.
 template <class OptionsOfStudy, class Declare, class Run>
 void add_study_of(CLI::App& studies, const char* name, const char* summary, Declare declare,
                   Run study) {
@@ -150,7 +151,7 @@ AccuracyStudy study_of(const AccuracyArguments& arguments) {
   for (const std::string& table : arguments.tables) {
     estimates.push_back(estimate_of(table, radius));
   }
-  // Too near to the length to be seen beside the others.
+  // Not drawn (false): too near to the exact length to be seen beside other estimates.
   estimates.push_back({"lower bound",
                        [radius](const RigState& node, const RigState& sample) {
                          return length_bounds(node.pose, sample.pose, radius).low;

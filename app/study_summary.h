@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What does a study say, for people and for programs?
+// What is the result of a study, as text for people and as JSON for programs?
 
 #include <nlohmann/json.hpp>
 #include <string>

@@ -51,7 +51,7 @@ HeuristicTableOptions options_of(const BuildArguments& arguments) {
   return options;
 }
 
-/// Errors name the flag that was typed.
+/// Computes a table. Throws InputError naming the flag that was typed.
 HeuristicTable filled(const HeuristicTableOptions& options) {
   try {
     return HeuristicTable(options);
@@ -171,7 +171,7 @@ struct ExportArguments {
   bool json = false;
 };
 
-/// "header" or "csv", by the option or by the ending of the file.
+/// Format of an export, "header" or "csv": by --format, or else by the ending of the file.
 std::string format_of(const ExportArguments& arguments) {
   if (!arguments.format.empty()) return arguments.format;
   if (arguments.output.ends_with(".csv")) return "csv";

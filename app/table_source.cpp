@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Content = TableFileHead::Content;
 
-/// "hlut-4" if these are its options.
+/// Name of the thesis' table with these options, such as "hlut-4"; none if there is none.
 std::optional<std::string> thesis_name(const HeuristicTableOptions& options) {
   for (int number = 1; number <= 4; ++number) {
     if (thesis_table_options(number) == options) return fmt::format("hlut-{}", number);

@@ -28,7 +28,7 @@ Stray stray_of(const CLI::App& app) {
   return {*command, first == rest.end() ? "" : *first};
 }
 
-/// "vandplan plan --help"
+/// Command line that prints the help on a command, such as "vandplan plan --help".
 std::string help_of(const CLI::App& command) {
   const CLI::App* const parent = command.get_parent();
   const std::string name =
@@ -46,7 +46,8 @@ std::vector<std::string_view> keys_of_set() {
   return keys;
 }
 
-/// What stands behind an unknown option: "0.3" of "--margin=0.3" or "--margin 0.3".
+/// Value behind an unknown option, such as "0.3" of "--margin=0.3" or "--margin 0.3"; "VALUE" if
+/// there is none.
 std::string value_behind(const std::string& option, const std::vector<std::string>& arguments) {
   if (const std::size_t equals = option.find('='); equals != std::string::npos) {
     return option.substr(equals + 1);
@@ -57,7 +58,8 @@ std::string value_behind(const std::string& option, const std::vector<std::strin
   return has_value ? *(place + 1) : "VALUE";
 }
 
-/// The option of a command that an unknown one is nearest to, or that begins with its one letter.
+/// Name of the command's option that is nearest to an unknown name. For a name of one letter it is
+/// the first option that begins with the letter. Empty if there is none.
 std::string option_meant(const CLI::App& command, std::string_view name) {
   std::vector<std::string_view> names;
   for (const CLI::Option* option : command.get_options()) {
@@ -116,7 +118,7 @@ std::string usage_problem(const CLI::App& app, const CLI::ParseError& error,
     return stray_problem(stray_of(app), arguments);
   }
   std::string text = error.what();
-  constexpr std::string_view no_number = "Could not convert: ";  // "--runs = x" follows
+  constexpr std::string_view no_number = "Could not convert: ";  // before "--runs = x"
   const std::size_t equals = text.find(" = ");
   if (text.starts_with(no_number) && equals != std::string::npos) {
     return fmt::format("{}: \"{}\" is not a number in range",

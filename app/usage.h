@@ -9,7 +9,7 @@
 
 namespace vandplan::app {
 
-/// One line about an error of parsing `arguments`, which follow the name of the program.
+/// One line about an error of parsing `arguments`, which do not include the name of the program.
 [[nodiscard]] std::string usage_problem(const CLI::App& app, const CLI::ParseError& error,
                                         const std::vector<std::string>& arguments);
 

@@ -7,8 +7,8 @@
 
 namespace vandplan::app {
 
-/// "vandplan 0.2.0 (1a2b3c4d5e)": the version, and the commit that was built if it is known, with
-/// "+changes" if the tree had some.
+/// Version of the program, such as "vandplan 0.2.0 (1a2b3c4d5e)". The commit is missing if it is
+/// not known, and has "+changes" if the tree had uncommitted changes.
 [[nodiscard]] std::string version_text();
 
 }  // namespace vandplan::app

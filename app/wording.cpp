@@ -19,9 +19,9 @@ struct Unit {
 constexpr std::array length_units = {Unit{1.0, "m"}, Unit{1e-3, "mm"}, Unit{1e-6, "um"}};
 constexpr std::array time_units = {Unit{1.0, "s"}, Unit{1e-3, "ms"}, Unit{1e-6, "us"},
                                    Unit{1e-9, "ns"}};
-constexpr double known_to = 1e-3;  // how exactly the judge measures clearance [m]
+constexpr double known_to = 1e-3;  // accuracy of the judge's clearance [m]
 
-/// In the largest unit of which there is a tenth.
+/// A value in the largest unit of which it is at least a tenth. The first unit is that of `value`.
 std::string with_unit(double value, std::span<const Unit> units) {
   const Unit& base = units.front();
   if (value == 0.0) return fmt::format("0 {}", base.name);
@@ -33,9 +33,9 @@ std::string with_unit(double value, std::span<const Unit> units) {
   return fmt::format("{:.{}f} {}", count, decimals, units[i].name);
 }
 
-/// By what the cost was worked out.
+/// Name of the prices by which a cost was computed.
 std::string name_of(CostOptions cost, const Vehicle& vehicle) {
-  cost.gears = AllowedGears::both;  // said by itself
+  cost.gears = AllowedGears::both;  // named elsewhere
   if (is_length(cost)) return "length alone";
   if (cost == driver_style) return "a driver's prices";
   if (cost != prices_of(Style::driver, vehicle)) return "prices";

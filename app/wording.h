@@ -16,27 +16,32 @@ namespace vandplan::app {
 
 using base::printable;
 
-/// "35.120 m", "45.2 mm", "0 m": the unit that fits, three digits at least.
+/// A length as text in the unit that fits, with at least three digits: "35.120 m", "45.2 mm", "0
+/// m".
 [[nodiscard]] std::string metres_text(double metres);
 
-/// "1.204 s", "31.4 ms", "8.20 us": the unit that fits, three digits at least.
+/// A time as text in the unit that fits, with at least three digits: "1.204 s", "31.4 ms", "8.20
+/// us".
 [[nodiscard]] std::string seconds_text(double seconds);
 
-/// "clearance 1.100 m", "no obstacles". What is less than 10 mm says how exactly it is known.
+/// A clearance as text: "clearance 1.100 m", "no obstacles". Below 10 mm the text adds how accurate
+/// it is.
 [[nodiscard]] std::string clearance_text(double clearance);
 
-/// "length 12.500 m, gear changes 1, in reverse 2.500 m, clearance 0.310 m" of a path that the
-/// judge has seen.
+/// Figures of a path that the judge has checked: "length 12.500 m, gear changes 1, in reverse 2.500
+/// m, clearance 0.310 m".
 [[nodiscard]] std::string path_text(const PathCheck& check);
 
-/// ", driven in 23.100 s, 0.420 m from moving obstacles" of times that the judge has seen; empty
-/// where there are none.
+/// Figures of a drive that the judge has checked: ", driven in 23.100 s, 0.420 m from moving
+/// obstacles". Empty without a drive.
 [[nodiscard]] std::string drive_text(const std::optional<DriveCheck>& check);
 
-/// "cost 63.450 m by a driver's prices", "driven in 23.100 s" where the cost is the time.
+/// Cost of a path as text: "cost 63.450 m by a driver's prices"; "driven in 23.100 s" if the cost
+/// is the time.
 [[nodiscard]] std::string cost_text(double cost, const CostOptions& rule, const Vehicle& vehicle);
 
-/// "no path: goal_in_collision (the footprint hits obstacles[3])" of a result without a path.
+/// Outcome of a result without a path: "no path: goal_in_collision (the footprint hits
+/// obstacles[3])".
 [[nodiscard]] std::string no_path_text(const PlanResult& result);
 
 }  // namespace vandplan::app

@@ -6,13 +6,13 @@
 
 int main() {
   vandplan::Scenario yard;           // metres and radians; the default vehicle is a truck
-  yard.bounds = {-50, 50, -50, 50};  // where the rear axle may be
+  yard.bounds = {-50, 50, -50, 50};  // where the midpoint of the rear axle may be
   yard.start = {0, 0, 0};            // x, y, heading
   yard.goal = {0, 12, 0};
   yard.obstacles = {{{-20, 5}, {15, 5}, {15, 7}, {-20, 7}}};
 
   vandplan::PlanOptions options;
-  options.budget.max_iterations = 10000;  // the same answer every time; or time_limit = 0.1
+  options.budget.max_iterations = 10000;  // repeats exactly; time_limit = 0.1 would not
   const auto result = vandplan::plan(yard, options);
   if (!result.path) return 1;
 

@@ -26,7 +26,7 @@ vandplan::PlanResult planned(const vandplan::Scenario& scenario,
 }  // namespace
 
 int main() {
-  vandplan::Scenario road;  // to turn around in, 16 m wide
+  vandplan::Scenario road;  // a road 16 m wide, on which the truck turns round
   road.bounds = {-60, 60, -10, 10};
   road.start = {0, -3, 0};
   road.goal = {0, 3, 3.141592653589793};
@@ -34,7 +34,7 @@ int main() {
                     {{-60, -10}, {60, -10}, {60, -8}, {-60, -8}}};
 
   const auto by_length = planned(road, vandplan::shortest_style);
-  const auto by_driver = planned(road, vandplan::driver_style);  // the default
+  const auto by_driver = planned(road, vandplan::driver_style);  // the default prices
   const auto by_price = planned(road, {.reverse_weight = 5, .gear_change_cost = 10});
   if (!by_length.path || !by_driver.path || !by_price.path) return 1;
   const bool is_longer = by_price.check->length >= by_length.check->length - 1e-6;

@@ -11,7 +11,7 @@
 #include <vector>
 
 int main() {
-  // Built once: its obstacles, and what each vehicle needs of it.
+  // The world is built once: its obstacles, and a collision checker for each vehicle.
   const auto world = std::make_shared<const vandplan::World>(
       vandplan::Surroundings{.bounds = {-60, 60, -60, 60},
                              .obstacles = {{{-5, -5}, {5, -5}, {5, 5}, {-5, 5}}}},
@@ -19,7 +19,7 @@ int main() {
 
   const vandplan::Vehicle truck;
   std::vector<vandplan::Problem> problems;
-  for (int i = 0; i < 24; ++i) {  // from all around to the other side
+  for (int i = 0; i < 24; ++i) {  // each pair crosses a circle
     const double angle = i * 3.141592653589793 / 12;
     const double x = 30 * std::cos(angle);
     const double y = 30 * std::sin(angle);
@@ -27,10 +27,11 @@ int main() {
   }
 
   vandplan::PlanOptions options;
-  options.budget.max_iterations = 2000;  // for each
+  options.budget.max_iterations = 2000;  // limit for each pair
   int solved = 0;
+  // Results come in the order of the problems, one at a time.
   vandplan::plan_many(problems, vandplan::default_planner(), options, 4,
-                      [&](std::size_t i, const vandplan::PlanResult& result) {  // in their order
+                      [&](std::size_t i, const vandplan::PlanResult& result) {
                         std::printf("%2zu: %.2f m\n", i, result.cost);
                         solved += result.path ? 1 : 0;
                       });

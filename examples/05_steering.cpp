@@ -12,7 +12,7 @@
 int main() {
   const vandplan::Pose from{0, 0, 0};
   const vandplan::Pose to{-3, 4, 1.5};
-  const double radius = 7;  // of turning [m]
+  const double radius = 7;  // turning radius [m]
 
   const vandplan::Piece shortest = vandplan::reeds_shepp(from, to, radius);
   std::printf("both gears: %.3f m; forward only: %.3f m\n", shortest.length,
@@ -25,7 +25,7 @@ int main() {
                 segment.curvature, segment.length, pose.x, pose.y, pose.heading);
   }
 
-  // Every word that leads there, with its length.
+  // All words that lead from `from` to `to`, with their lengths.
   std::size_t longer = 0;
   for (const vandplan::Piece& word : vandplan::reeds_shepp_words(from, to, radius)) {
     longer += word.length > shortest.length ? 1 : 0;

@@ -11,11 +11,11 @@
 #include <cstdio>
 
 int main() {
-  const double radius = 7;  // of turning [m]
+  const double radius = 7;  // turning radius [m]
   const vandplan::Pose sample{3, -2, 0.7};
 
   vandplan::NearestNodes nodes(radius);
-  double least = 1e9;  // of the exact lengths, one by one
+  double least = 1e9;  // least of the exact lengths [m], computed one by one
   for (int i = 0; i < 1000; ++i) {
     const vandplan::Pose node{-50.0 + i % 40 * 2.5, -50.0 + i / 40 * 4.0, i * 0.1};
     nodes.add(node);
@@ -27,7 +27,7 @@ int main() {
   std::printf("node %d is nearest, %.3f m away; %lld of 1000 lengths were computed\n",
               nearest->node, nearest->length, static_cast<long long>(nearest->exact_solves));
 
-  // A table of lengths, as the thesis has it, and a table that bounds them from both sides.
+  // A table of lengths as in the thesis, and a table that bounds lengths from below and above.
   const vandplan::HeuristicTable table({.extent = 10, .step = 1, .heading_cells = 8});
   const vandplan::Pose node{8, 3, -1};
   const double exact = vandplan::reeds_shepp_length(node, sample, radius);

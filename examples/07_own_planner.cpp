@@ -17,7 +17,7 @@ namespace {
 
 using namespace vandplan;
 
-/// Grows a tree of random poses, each on the node that is nearest to it, until the goal is reached.
+/// Grows a tree of random poses, each joined to its nearest node, until the goal is reached.
 PlannerAnswer grow(const Task& task, const PlanOptions& options) {
   search::Budget budget(options.budget);
   search::Connector connector(task);
@@ -26,7 +26,7 @@ PlannerAnswer grow(const Task& task, const PlanOptions& options) {
   nodes.add(task.start);
   const Bounds& area = task.world->local().bounds;
   std::mt19937_64 random(options.budget.seed);
-  const auto between = [&](double low, double high) {  // repeats on every computer
+  const auto between = [&](double low, double high) {  // gives the same numbers everywhere
     return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
   };
   PlannerAnswer answer;
@@ -79,11 +79,11 @@ int main(int argc, char** argv) {
   PlanOptions options;
   options.budget.max_iterations = 2000;
   options.planner.set("goal_share", 0.3);
-  const PlanResult result = plan(make_problem(yard), mine, options);  // the judge has seen the path
+  const PlanResult result = plan(make_problem(yard), mine, options);  // `plan` asks the judge, too
   std::printf("%.2f m, %.2f m of it in reverse\n\n", result.cost,
               result.check ? result.check->reverse_length : 0);
 
-  // Every planner with the same seeds, and what that shows, as text and as a page for a browser.
+  // Runs both planners with the same seeds, and reports as text and as a page for a browser.
   evaluation::Campaign campaign{
       .planners = {mine, default_planner()}, .regions = {Region::bounds}, .repeats = 4};
   campaign.scenarios.push_back({{.scenario = yard}, "yard.yaml"});

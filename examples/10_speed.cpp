@@ -9,12 +9,12 @@
 #include <cstdio>
 
 int main() {
-  vandplan::Vehicle truck;  // the default lengths
+  vandplan::Vehicle truck;  // lengths and width are the defaults
   truck.limits.max_speed = {.forward = 3.0, .reverse = 1.5};
   truck.limits.max_acceleration = 0.8;
   truck.limits.max_steering_rate = 0.4;
 
-  // Straight on, a clothoid into a left turn, the turn, and back with the wheels straight.
+  // Straight on, a clothoid into a left turn, the turn, then back with the wheels straight.
   const vandplan::Path path{{0, 0, 0}, {{0, 10}, {0, 2, 0.07}, {0.14, 5}, {0, -8}}};
   const vandplan::SpeedProfile profile = vandplan::speed_profile(path, truck);
   std::printf("%.2f s, standing %.2f s\n", profile.duration, profile.standing);

@@ -12,12 +12,12 @@
 #include <cstdio>
 #include <memory>
 
-// Instead of ompl::base and ompl::geometric: whatever is not ours is still OMPL's.
+// These replace ompl::base and ompl::geometric. Classes that the library does not have are OMPL's.
 namespace ob = vandplan::ompl::base;
 namespace og = vandplan::ompl::geometric;
 
-// 1. The usual tutorial: a car that is a point, and a wall with a gap. Nothing below is ours by
-// name.
+// 1. The usual tutorial: a car that is a point, and a wall with a gap. The code below uses OMPL's
+// names only.
 bool is_in_the_gap_or_beside(const ob::State* state) {
   const auto* const car = state->as<ob::SE2StateSpace::StateType>();
   return std::abs(car->getX() - 5.0) > 0.5 || std::abs(car->getY() - 2.0) < 1.5;
@@ -44,7 +44,7 @@ bool plan_for_a_point() {
   return true;
 }
 
-// 2. A truck among polygons: poses and edges are checked exactly, and our planners are OMPL's.
+// 2. A truck among polygons: poses and edges are checked exactly, by an OMPL planner and by ours.
 bool plan_for_a_truck() {
   vandplan::Scenario yard;
   yard.bounds = {-50, 50, -50, 50};

@@ -19,20 +19,20 @@ int main() {
   const vandplan::Polygon crates = {{35, -2}, {38, -2}, {38, 2}, {35, 2}};
 
   vandplan::ReplanOptions options;
-  options.plan.budget.max_iterations = 2000;  // of the first plan
+  options.plan.budget.max_iterations = 2000;  // limit of the first plan
   vandplan::Replanner replanner(yard, options);
   vandplan::ReplanAnswer before;
   vandplan::Motion now;
-  double aside = 0.0;  // of the lane, at most [m]
+  double aside = 0.0;  // largest distance of the truck from the lane [m]
   int unsafe_ticks = 0;
   int ticks = 0;
   for (; ticks < 1000; ++ticks) {
-    const double t = 0.1 * ticks;  // [s]
-    if (ticks == 80) {             // what the truck sees after 8 s
+    const double t = 0.1 * ticks;  // time of the tick [s]
+    if (ticks == 80) {             // after 8 s the truck sees crates
       before = replanner.answer();
       replanner.patch({.added = {{.name = 1, .outline = crates}}});
     }
-    // The truck follows the last answer here. tick(t, state) takes where it was measured to be.
+    // Here the truck follows the last answer exactly. tick(t, state) takes a measured state.
     const vandplan::ReplanAnswer& answer = replanner.tick(t);
     unsafe_ticks += answer.is_safe ? 0 : 1;
     if (!answer.drive) return 1;
@@ -50,7 +50,7 @@ int main() {
   std::printf("after %d ticks %.3f m from the goal, on the way %.2f m aside; unsafe ticks: %d\n",
               ticks, left, aside, unsafe_ticks);
 
-  // The judge says what the first plan would have met.
+  // The judge says what the truck would have hit on its first plan.
   yard.obstacles = {crates};
   const auto check = vandplan::check_path(vandplan::make_problem(yard), before.drive->path);
   std::printf("the first plan: %s\n", check.reason.c_str());

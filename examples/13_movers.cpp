@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// How do I plan among others that move, and when is my truck where?
+// How do I plan among moving obstacles, and where is my truck at which time?
 
 #include <vandplan/planner.h>
 
@@ -16,7 +16,7 @@ int main() {
 
   vandplan::PlanOptions options;
   options.budget.max_iterations = 2000;
-  options.clearance.margin = 0.5;  // from all that stands or moves [m]
+  options.clearance.margin = 0.5;  // distance from standing and moving obstacles [m]
   const vandplan::PlanResult alone = vandplan::plan(gate, options);
   if (!alone.path) return 1;
   const vandplan::TimedPath fastest{*alone.path,
@@ -37,13 +37,14 @@ int main() {
               result.speeds->duration, result.drive_check->clearance.value_or(0));
   for (const vandplan::Motion& motion :
        vandplan::sampled(*result.path, gate.vehicle, *result.speeds, 4.0)) {
-    const auto forklift = vandplan::pose_at(gate.moving.front(), motion.t);  // none: it is gone
+    // The pose of the forklift; none once it is gone.
+    const auto forklift = vandplan::pose_at(gate.moving.front(), motion.t);
     std::printf("t %4.1f  x %5.2f  v %5.2f m/s%s", motion.t, motion.pose.x, motion.v,
                 forklift ? "" : "\n");
     if (forklift) std::printf("; the forklift: y %6.2f\n", forklift->y);
   }
 
-  // `plan` has asked the judge already. For a drive that you have timed yourself, ask like this.
+  // `plan` has asked the judge already. This call judges a drive that you have timed yourself.
   const auto verdict = vandplan::check_drive(vandplan::make_problem(gate),
                                              {*result.path, *result.speeds}, {.margin = 0.5});
   std::printf("the judge: %s\n", verdict.valid ? "valid" : verdict.reason.c_str());

@@ -13,17 +13,17 @@
 namespace {
 
 struct Drives {
-  int contacts = 0;        ///< drives that touch something
+  int contacts = 0;        ///< drives that touch an obstacle
   int arrivals = 0;        ///< drives that end at the goal
   double sideways = 0.0;   ///< largest distance of the rear axle from the path [m]
-  double deviation = 0.0;  ///< how far the outline was beyond the plan [m]
+  double deviation = 0.0;  ///< largest distance of the outline beyond the planned area [m]
 };
 
 /// Plans with a margin, and drives the path 20 times, with other noise each time.
 Drives driven(const vandplan::Problem& problem, double margin, std::uint64_t first_seed) {
   vandplan::PlanOptions options;
   options.budget.max_iterations = 10000;
-  options.style = vandplan::Style::shortest;  // as near to the wall as it may be
+  options.style = vandplan::Style::shortest;  // as near to the wall as the margin allows
   options.steering = vandplan::Steering::continuous;
   options.clearance.margin = margin;
   const vandplan::PlanResult result = vandplan::plan(problem, options);
@@ -53,6 +53,6 @@ int main() {
   const vandplan::Problem problem = vandplan::make_problem(yard);
 
   const Drives tight = driven(problem, 0.0, 1);
-  const Drives wide = driven(problem, 1.1 * tight.deviation, 1001);  // a tenth more
+  const Drives wide = driven(problem, 1.1 * tight.deviation, 1001);  // margin: a tenth more
   return tight.contacts > 0 && wide.contacts == 0 && wide.arrivals == 20 ? 0 : 1;
 }

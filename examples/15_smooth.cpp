@@ -32,7 +32,7 @@ int main() {
   std::printf("by hand:  %6.2f m, %d gear changes, %.2f m from the walls\n", before.length,
               before.gear_changes, before.clearance.value_or(0));
 
-  vandplan::PlanOptions options;  // a driver's prices; and a distance to keep
+  vandplan::PlanOptions options;  // the default prices: a driver's
   options.budget.max_iterations = 2000;
   options.clearance.margin = 0.2;
   const vandplan::Smoothed smoothed =
@@ -44,7 +44,7 @@ int main() {
   std::printf("cost %.2f m, was %.2f m; fault of the path by hand: %s\n", smoothed.result.cost,
               smoothed.given_cost, smoothed.given_fault.c_str());
 
-  // The judge holds the new path to its steering: the curvature jumps at standstill only.
+  // The judge checks that the curvature of the new path jumps at standstill only.
   const bool can_be_followed =
       vandplan::check_path(problem, *smoothed.result.path,
                            {.clearance = options.clearance,

@@ -18,12 +18,12 @@ int main() {
                   .rear_overhang = 0.9,
                   .width = 2.55,
                   .min_turning_radius = vandplan::turning_radius(3.6, 0.55),
-                  .hitch = 0.6,  // ahead of the rear axle
+                  .hitch = 0.6,  // hitch ahead of the rear axle [m]
                   .max_hitch_angle = 1.2,
                   .trailer = vandplan::Trailer{.wheelbase = 7.7, .front_overhang = 1.6}};
   dock.bounds = {-45, 45, -20, 40};
   dock.start = {-30, 25, 0};
-  // The goal is a place of the trailer's axle, with the tractor straight ahead of it.
+  // The goal is a pose of the trailer's axle, with the tractor straight ahead of the trailer.
   const vandplan::Pose berth{0, -5, 3.141592653589793 / 2};
   dock.goal = vandplan::tractor_pose(dock.vehicle, berth, 0.0);
   dock.obstacles = {{{-45, -12}, {45, -12}, {45, -10.2}, {-45, -10.2}},  // the building
@@ -39,7 +39,7 @@ int main() {
   std::printf("%.2f m, %.2f m of it in reverse, gear changes: %d, %.2f m from everything\n",
               check.length, check.reverse_length, check.gear_changes, check.clearance.value_or(0));
 
-  // Points and hitch angles belong together, one by one.
+  // The hitch angle with index i belongs to the point with index i.
   const auto points = vandplan::sampled(*result.path, 0.1);
   const auto angles = vandplan::sampled_hitch_angles(dock.vehicle, *result.path, 0.0, 0.1);
   const auto [least, largest] = std::minmax_element(angles.begin(), angles.end());

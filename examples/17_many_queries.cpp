@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// How far is it between each two of many places in one yard, sooner than by planning each way?
+// How do I get the lengths of all ways between many places faster than by planning each way?
 
 #include <vandplan/path_check.h>
 #include <vandplan/reeds_shepp.h>
@@ -23,15 +23,15 @@ int main() {
   for (int i = 0; i < 4; ++i) docks.push_back({-33.0 + 22 * i, 7, 3.141592653589793 / 2});
   for (int i = 0; i < 4; ++i) docks.push_back({-33.0 + 22 * i, -7, -3.141592653589793 / 2});
 
-  // Built once, asked as often as one likes, from any thread. An edge is checked when a query needs
-  // it, and the answer is remembered.
+  // The roadmap is built once and answers any number of queries, from any thread. An edge is
+  // checked when a query needs it, and the result is remembered.
   const vandplan::Roadmap roadmap = vandplan::build_roadmap(*yard, truck, {.nodes = 4000});
   std::printf("%lld poses, %lld edges\n     ", static_cast<long long>(roadmap.nodes()),
               static_cast<long long>(roadmap.edges()));
   for (std::size_t to = 0; to < docks.size(); ++to) std::printf("  dock %zu", to);
 
   int valid = 0;
-  int longer = 0;  // than on open ground
+  int longer = 0;  // ways that are longer than on open ground
   std::vector<double> open_ground(docks.size());
   for (std::size_t from = 0; from < docks.size(); ++from) {
     std::printf("\nfrom %zu", from);
@@ -48,7 +48,8 @@ int main() {
       valid += vandplan::check_path(problem, {docks[from], answer.route->segments}).valid ? 1 : 0;
     }
   }
-  // All are drivable, but longer than need be: plan the one that is driven, as in 04_many_pairs.
+  // All ways can be driven, but are longer than necessary. Plan the way that is driven:
+  // 04_many_pairs.
   std::printf("\n%d of 64 ways are valid, %d are longer than on open ground [m]\n", valid, longer);
   return valid == 64 && longer > 0 ? 0 : 1;
 }

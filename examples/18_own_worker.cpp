@@ -14,6 +14,7 @@ namespace {
 
 using namespace vandplan;
 
+/// A worker that proposes one path, and prints each best path that it hears of.
 class Yesterday final : public PathSource {
  public:
   explicit Yesterday(LocalPath path) : path_(std::move(path)) {}

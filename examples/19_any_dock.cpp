@@ -8,7 +8,7 @@
 #include <cstdio>
 
 int main() {
-  constexpr double down = -1.5708;  // the truck backs into a dock
+  constexpr double down = -1.5708;  // heading at a dock [rad]: the truck backs in
   vandplan::Scenario depot;
   depot.bounds = {-10, 70, -10, 40};
   depot.start = {0, 5, 0};
@@ -31,7 +31,7 @@ int main() {
               docked.goal->pose.x, vandplan::length(docked.path->segments),
               docked.check->gear_changes);
 
-  // To the fuel pump, whichever way the truck points; or on to the parking lot, which is an area.
+  // Then to the fuel pump, with any heading of the truck, or to the parking lot, which is an area.
   vandplan::GoalRegion pump = vandplan::region_of_pose({60, 0, 0});
   pump.heading = vandplan::any_heading;
   vandplan::GoalRegion lot{.area = {{20, -8}, {40, -8}, {40, -2}, {20, -2}},

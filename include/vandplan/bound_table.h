@@ -20,12 +20,15 @@ struct LengthBounds {
 };
 
 /// Bounds of the length of the shortest path between two poses, `reeds_shepp_length(from, to,
-/// radius)` [m]. Throws InputError naming "radius" unless it is > 0 [m].
+/// radius)` [m]. Headings may be any angle. Throws InputError naming "radius" unless it is finite
+/// and > 0 [m].
 [[nodiscard]] LengthBounds length_bounds(const Pose& from, const Pose& to, double radius);
 
 /// Bounds of the lengths from every node to one sample, in float [m]: low[i] and high[i] belong to
-/// node i. They hold for the sample as rounded to float. Throws InputError naming "radius" unless
-/// it is > 0 [m], or "nodes" unless all columns have as many numbers as `low` and `high`.
+/// node i. They hold for the sample as rounded to float. Headings of nodes must be in [-pi, pi]:
+/// for others the bounds are wrong. The sample's may be any angle. Throws InputError naming
+/// "radius" unless it is finite and > 0 [m], or "nodes" unless all columns have as many numbers as
+/// `low` and `high`.
 void length_bounds(const PoseColumns& nodes, const Pose& sample, double radius,
                    std::span<float> low, std::span<float> high);
 

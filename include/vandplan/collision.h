@@ -87,7 +87,7 @@ class CollisionChecker {
   CollisionChecker& operator=(const CollisionChecker&) = delete;
 
   /// Whether the vehicle is free at the pose: it keeps its margin, and its rear axle is in the
-  /// bounds.
+  /// bounds. False for a pose that is not finite.
   [[nodiscard]] bool is_free(const LocalPose& pose) const noexcept;
 
   /// Whether all ground swept from `from` along the segment is free, both ends included.
@@ -112,8 +112,10 @@ class CollisionChecker {
                                  std::span<const Segment> segments) const noexcept;
 
   /// Least distance of the body from obstacles and blocked cells, and of the wheels from kerbs, but
-  /// at most `most` [m]. It is 0 if they touch. If the distance is at least `enough`, the result
-  /// may be any number from `enough` to that distance, which is faster.
+  /// at most `most` [m]. It is 0 if they touch, with the rear axle outside all areas of `inside`,
+  /// and for a pose that is not finite. The bounds do not count, and the margin is not taken off.
+  /// If the distance is at least `enough`, the result may be any number from `enough` to that
+  /// distance, which is faster.
   [[nodiscard]] double clearance(
       const LocalPose& pose, double most,
       double enough = std::numeric_limits<double>::infinity()) const noexcept;

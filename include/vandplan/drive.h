@@ -104,8 +104,10 @@ struct TrailerDeviation {
 
 /// Result of a drive. After a contact the drive goes on as if there had been none.
 struct DriveResult {
-  bool has_arrived = false;  ///< whether the vehicle believes to stand at the end of the path
-  double duration = 0.0;     ///< duration of the drive [s]
+  /// Whether the vehicle believes to stand at the end of the path. The drive is given up after
+  /// three times the planned duration plus 60 s and the delay.
+  bool has_arrived = false;
+  double duration = 0.0;  ///< duration of the drive [s]
   /// Duration of the fastest drive that leaves the reserve [s].
   double planned_duration = 0.0;
   double largest_lateral = 0.0;  ///< largest distance of the rear axle from the path [m]
@@ -120,21 +122,25 @@ struct DriveResult {
   double outline_deviation = 0.0;
   /// Largest distance of the rear axle outside the bounds [m]; nothing is touched there.
   double out_of_bounds = 0.0;
-  /// Least clearance at the ends of all steps of 5 ms [m]; infinite without obstacles.
+  /// Least clearance at the ends of all steps of 5 ms [m]. It is 0 after a contact, also where the
+  /// rig folds up, and infinite without obstacles within 1 km.
   double clearance = 0.0;
   std::optional<Contact> contact = {};  ///< first contact; none if nothing was touched
   std::vector<DriveMoment> log = {};    ///< moments every 0.02 s, if they were asked for
 };
 
 /// Drives a path (in the scenario's frame) from standing to standing, and checks all ground that
-/// footprint, wheels and trailer sweep. The speeds are those of `speed_profile` for limits less the
-/// reserve. At the start the wheels are turned as `Problem::curvatures` says, and the trailer as
-/// `Problem::hitch_angles`. Results repeat bit for bit. Throws InputError naming:
+/// footprint, wheels and trailer sweep. Moving obstacles are ignored. The speeds are those of
+/// `speed_profile` for limits less the reserve. At the start the wheels are turned as
+/// `Problem::curvatures` says, and the trailer as `Problem::hitch_angles`. Results repeat bit for
+/// bit. Throws InputError naming:
 ///
+/// - "problem" if `make_problem` did not make it,
 /// - "noise", "delay", "reserve" or "spare_steering" if it is out of range,
 /// - "controller" if it is unknown or cannot drive the path's metres in reverse,
 /// - a limit of the vehicle that is out of range,
-/// - "segments[3]" if it is not finite, "segments[3].curvature" if it is too sharp for the vehicle.
+/// - "segments[3].curvature" if it is not finite, or by more than 0.1 % too sharp for the vehicle,
+/// - "segments[3]" if its length is not finite.
 [[nodiscard]] DriveResult drive(const Problem& problem, const Path& path,
                                 const DriveOptions& options = {});
 
@@ -158,7 +164,7 @@ struct ExecutableCheck {
   Execution flowing = {};
   /// Execution that also stands at jumps of the curvature, until the wheels are turned.
   Execution pausing = {};
-  int jumps = 0;  ///< number of jumps of the curvature, except at gear changes
+  int jumps = 0;  ///< number of jumps of the curvature, except at the start and at gear changes
 };
 
 /// Executes a path in the scenario's frame. Throws InputError naming a limit of the vehicle, or

@@ -40,7 +40,7 @@ struct DriveCheck {
 ///
 /// - Every number is finite, and speeds and distances follow from each other.
 /// - The drive covers the whole path, from the claimed speed to standing.
-/// - It keeps `Vehicle::limits` (to 1e-6 of them).
+/// - It keeps `Vehicle::limits` (to 1e-6 of them). With `max_jerk` the acceleration jumps nowhere.
 /// - It stands where the gear changes. Where the curvature jumps, it stands until the wheels are
 ///   turned.
 /// - Neither on the way nor ever after does it touch a moving obstacle, or come nearer than

@@ -33,7 +33,9 @@ inline constexpr HeadingRange any_heading{-std::numbers::pi, std::numbers::pi};
 [[nodiscard]] double width(const HeadingRange& range) noexcept;
 
 /// Set of poses where a path may end: every place of it with every heading of it. The frame is that
-/// of whoever holds the region.
+/// of whoever holds the region. `with_goal_set` and `make_problem` (problem.h) check the values.
+/// They throw InputError naming "goal.any_of[2].x" or another key of a region. In a set of one
+/// region the key is "goal.x", and for a trailer's axle "goal.trailer.x".
 struct GoalRegion {
   Interval x = {};  ///< x of the axle's midpoint [m]
   Interval y = {};  ///< y of the axle's midpoint [m]
@@ -49,7 +51,8 @@ struct GoalRegion {
   bool operator==(const GoalRegion&) const = default;
 };
 
-/// The region that holds one pose alone, in the frame of the pose.
+/// The region that holds one pose of a vehicle alone, in the frame of the pose. A trailer must be
+/// straight there, with hitch angle 0.
 [[nodiscard]] GoalRegion region_of_pose(const Pose& pose) noexcept;
 
 /// A pose of the region, for the axle that the region speaks of, in the region's frame. It is in

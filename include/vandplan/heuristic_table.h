@@ -14,11 +14,12 @@
 
 namespace vandplan {
 
-/// Range and grid of a table of lengths. Both ends of every range are grid points.
+/// Range and grid of a table of lengths. Both ends of every range are grid points. Lengths are
+/// 1e-6 to 1e6 m.
 struct HeuristicTableOptions {
-  double extent = 10.0;         ///< largest |dx| and |dy| [m]; a multiple of `step`
-  double step = 1.0;            ///< distance of grid points along x and y [m]; > 0
-  int heading_cells = 8;        ///< steps of a full turn; >= 1; one more heading is stored
+  double extent = 10.0;   ///< entries count for |dx| and |dy| below it [m]; a multiple of `step`
+  double step = 1.0;      ///< distance of grid points along x and y [m]; > 0
+  int heading_cells = 8;  ///< steps of a full turn; >= 1; one more heading is stored
   double turning_radius = 7.0;  ///< turning radius of the lengths [m]; > 0
   bool operator==(const HeuristicTableOptions&) const = default;
 };
@@ -59,14 +60,17 @@ class HeuristicTable {
   [[nodiscard]] Pose sample_of(const GridPoint& point) const noexcept;
 
   /// Estimated length between a node and a sample [m] for a vehicle of turning radius `radius` [m]
-  /// (Algorithm 7). It is an entry inside the table, and the Euclidean distance outside. The table
-  /// scales with the radius: extent and step hold for the table's own radius. Throws InputError
-  /// naming "radius" unless it is > 0.
+  /// (Algorithm 7). It is an entry where |dx| and |dy| are below the extent, and the Euclidean
+  /// distance elsewhere. |dx| and |dy| are rounded down to the grid, headings to the nearest grid
+  /// point, so the estimate is no bound: it may be too small or too large. The table scales with
+  /// the radius: extent and step hold for the table's own radius. Throws InputError naming "radius"
+  /// unless it is finite and > 0.
   [[nodiscard]] double distance(const Pose& node, const Pose& sample, double radius) const;
 
-  /// Estimated lengths between every node and one sample, as `distance` gives them, in float [m]:
-  /// out[i] belongs to node i. Throws InputError naming "radius" unless it is > 0, or "nodes"
-  /// unless all columns have as many numbers as `out`.
+  /// Estimated lengths between every node and one sample, in float [m]: out[i] belongs to node i.
+  /// They are those of `distance` for the sample as rounded to float, which differs far from the
+  /// origin. Headings of nodes are in [-pi, pi]. Throws InputError naming "radius" unless it is
+  /// finite and > 0, or "nodes" unless all columns have as many numbers as `out`.
   void distances(const PoseColumns& nodes, const Pose& sample, double radius,
                  std::span<float> out) const;
 

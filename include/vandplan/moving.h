@@ -51,8 +51,8 @@ struct MovingObstacle {
   bool operator==(const MovingObstacle&) const = default;
 };
 
-/// Pose of the obstacle's own frame at time `t` [s], in the frame of its trajectory. None once the
-/// obstacle has left, or without a trajectory.
+/// Pose of the obstacle's own frame at time `t` [s], in the frame of its trajectory. The heading is
+/// not wrapped. None once the obstacle has left, or without a trajectory.
 [[nodiscard]] std::optional<Pose> pose_at(const MovingObstacle& obstacle, double t) noexcept;
 
 /// Growth of the outline on all sides at time `t` [s], in metres.

@@ -63,15 +63,15 @@ class NearestNodes {
   void remove(std::int32_t node);
 
   /// The node with the least exact length to the sample; ties go to the older node. None if there
-  /// are no nodes.
+  /// are no nodes. Throws InputError naming "sample" if it is not finite.
   [[nodiscard]] std::optional<NearestNode> nearest(const Pose& sample) const;
 
   /// The wanted nodes with the least exact lengths to the sample, by length; ties go to the older
-  /// node.
+  /// node. Throws InputError naming "sample" if it is not finite.
   [[nodiscard]] std::vector<NearNode> nearest(const Pose& sample, const NearWanted& wanted) const;
 
   /// Numbers of the nodes that `nearest(sample, wanted)` finds, in no order. It is faster, because
-  /// few lengths have to be computed.
+  /// few lengths have to be computed. Throws InputError naming "sample" if it is not finite.
   [[nodiscard]] std::vector<std::int32_t> nearest_in_any_order(const Pose& sample,
                                                                const NearWanted& wanted) const;
 

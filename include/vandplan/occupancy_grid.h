@@ -18,12 +18,14 @@ namespace vandplan {
 /// What a map says about a cell.
 enum class Cell : std::uint8_t { free, occupied, unknown };
 
-/// A rectangle of square cells. Copies share the cells, which nobody changes.
+/// A rectangle of square cells. Copies share the cells, which nobody changes. The values are
+/// checked by `check_map`, `World` and `make_problem` (problem.h). They throw InputError naming
+/// "map.resolution", "map.origin" or "map".
 struct OccupancyGrid {
   /// Corner of cell (0, 0) [m] and direction of the rows [rad]. Columns count along its heading,
   /// rows to the left of it.
   Pose origin = {};
-  double resolution = 1.0;   ///< side of a cell [m]; > 0
+  double resolution = 1.0;   ///< side of a cell [m]; 1e-6 to 1e6
   std::int32_t columns = 0;  ///< number of columns; >= 1
   std::int32_t rows = 0;     ///< number of rows; >= 1
   /// All cells, row by row: columns * rows of them. Cell (column, row) has the index

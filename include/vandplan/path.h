@@ -119,6 +119,7 @@ struct PathPoint {
 
 /// Pose at the end of the path, in its frame. Like `pose_at` and `sampled`, this function sums
 /// poses relative to the path's start. So paths far from the origin keep the precision of a double.
+/// All three give headings in [-pi, pi); on a path without segments they give its start as it is.
 [[nodiscard]] Pose end_pose(const Path& path) noexcept;
 
 /// Pose after `s` metres of the path, in its frame. `s` is clamped to [0, length].

@@ -54,7 +54,9 @@ struct PathClaims {
   Steering steering = Steering::reeds_shepp;
   /// Gears of the path; a metre in another gear is a fault.
   AllowedGears gears = AllowedGears::both;
-  /// Goal of a set at which the path ends; its pose is in the frame of the path.
+  /// Goal of a set at which the path ends, within 1e-5 m and 1e-5 rad; its pose is in the frame of
+  /// the path. Without a set of goals it is ignored. If the set has no region of that index, only
+  /// the pose counts.
   std::optional<ReachedGoal> goal = {};
   std::optional<double> start_hitch_angle = {};  ///< hitch angle at the start [rad]
   /// Poses from end to end, at most 0.1 m apart, in the frame of the path. Empty: none is stated.
@@ -90,8 +92,8 @@ struct PathCheck {
   std::optional<PathPoint> at = {};  ///< place of the fault, if it has one; in the scenario's frame
   /// Thing that is hit or left, if that is the fault.
   std::optional<Hit> hit = {};
-  /// Goal at which the path ends, in the scenario's frame. None if the problem has only one goal
-  /// pose, or if the path ends at no goal.
+  /// Goal of a set at which the path ends, in the scenario's frame. None if the path has a fault,
+  /// or the problem has no set of goals.
   std::optional<ReachedGoal> goal = {};
   double length = 0.0;          ///< length of the path [m]
   double reverse_length = 0.0;  ///< metres in reverse [m]
@@ -107,7 +109,8 @@ struct PathCheck {
 };
 
 /// Judges a path in the scenario's frame. A fault is no exception: the first one is in `reason`.
-/// The judge checks in this order:
+/// Faults are also a problem that `make_problem` did not make, and a negative margin or ramp. The
+/// judge checks in this order:
 ///
 /// - Every number is finite, and the path begins at the start.
 /// - Every curvature is drivable. The wheels turn and the gears are as claimed.
@@ -118,7 +121,8 @@ struct PathCheck {
 ///   trailer. The judge looks at every millimetre that a point of the vehicle moves. It skips only
 ///   what is proven to be free.
 /// - Footprint and wheels keep the claimed margin.
-/// - The path ends at the goal, or at one of a set, within 1e-6 m and 1e-6 rad.
+/// - The path ends at the goal, or at one of a set, within 1e-6 m and 1e-6 rad, with the trailer's
+///   hitch angle within 1e-6 rad.
 /// - What is claimed is true.
 [[nodiscard]] PathCheck check_path(const Problem& problem, const Path& path,
                                    const PathClaims& claims = {});

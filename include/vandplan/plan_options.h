@@ -57,7 +57,6 @@ enum class AllowedGears : std::uint8_t {
 
 /// Name of the gears: "both", "forward" or "reverse".
 [[nodiscard]] std::string_view name_of(AllowedGears gears) noexcept;
-
 /// The gears of that name. Throws InputError naming "gears" for another name.
 [[nodiscard]] AllowedGears gears_named(std::string_view name);
 
@@ -106,7 +105,6 @@ inline constexpr CostOptions shortest_style = {.forward_weight = 1.0,
 
 /// The cost options, with each price that is not set taken from `others`.
 [[nodiscard]] CostOptions filled(const CostOptions& cost, const CostOptions& others);
-
 /// Whether the cost of every path is its length; false while a price is not set (see `complete`).
 [[nodiscard]] bool is_length(const CostOptions& cost);
 
@@ -119,7 +117,6 @@ enum class Steering : std::uint8_t {
 
 /// Name of the steering: "reeds-shepp", "continuous-between-stops" or "continuous".
 [[nodiscard]] std::string_view name_of(Steering steering) noexcept;
-
 /// The steering of that name. Throws InputError naming "steering" for another name.
 [[nodiscard]] Steering steering_named(std::string_view name);
 
@@ -131,20 +128,22 @@ enum class Style : std::uint8_t {
 
 /// Name of the style: "shortest" or "driver".
 [[nodiscard]] std::string_view name_of(Style style) noexcept;
-
 /// The style of that name. Throws InputError naming "style" for another name.
 [[nodiscard]] Style style_named(std::string_view name);
 
-/// All prices of a style. A driver's lengths shrink for a vehicle that turns on less than 7 m.
+/// All prices of a style. For a vehicle that turns on r < 7 m, a driver's gear change and clearance
+/// distance are those of `driver_style` times r/7; its curvature change is that times (r/7)^2.
 [[nodiscard]] CostOptions prices_of(Style style, const Vehicle& vehicle);
 
 /// Distance that the vehicle keeps from obstacles and kerbs.
 struct ClearanceOptions {
-  /// Least distance of the body from obstacles, and of the wheels from kerbs [m]; [0, 1000]. A
-  /// nearer start or goal counts as being in collision, unless there is a ramp.
+  /// Least distance of the body from obstacles, moving ones too, and of the wheels from kerbs [m];
+  /// [0, 1000]. A nearer start or goal counts as being in collision, unless there is a ramp. One at
+  /// the margin, or up to 1 mm beyond it, may count so, too, even with a ramp.
   double margin = 0.0;
   /// Length of the ramp around a start or goal with a clearance c below the margin [m]; [0, 1000];
-  /// 0: no ramp. With the rear axle d metres away, c + (margin - c) d / margin_ramp is enough.
+  /// 0: no ramp. With the rear axle d metres away, c + (margin - c) d / margin_ramp is enough, but
+  /// not for moving obstacles.
   double margin_ramp = 0.0;
   bool operator==(const ClearanceOptions&) const = default;
 };
@@ -182,9 +181,10 @@ struct PlanOptions {
   std::optional<Style> style = {};
   CostOptions cost = {};
   ClearanceOptions clearance = {};
-  /// Places where the curvature may jump; the judge holds the path to them. None: between stops.
-  /// But anywhere if the style is `shortest`, the cost is the length, or the planner steers in no
-  /// other way. With a trailer it is anywhere unless the cost is the time.
+  /// Places where the curvature may jump; the judge holds the path to them. None: `reeds_shepp` if
+  /// the planner steers in no other way, and with a trailer unless the cost is the time. Otherwise
+  /// `PlannerProperties::steering`. Without that it is `reeds_shepp` if the style is `shortest` or
+  /// the cost is the length, and `continuous_between_stops` in all other cases.
   std::optional<Steering> steering = {};
   PlannerSettings planner = {};  ///< options of the chosen planner
   /// Table of lengths for the estimate "table", for planners that an estimate guides.
@@ -201,7 +201,9 @@ struct Setting {
   bool operator==(const Setting&) const = default;
 };
 
-/// All options that are set, as `set_option` (planner.h) takes them; a planner's own come last.
+/// Options of all planners that have a value, set or default, and last a planner's own. Style,
+/// table and primitives are left out. `set_honoured` (planner.h) takes them; `set_option` throws
+/// for one that the planner does not honour.
 [[nodiscard]] std::vector<Setting> settings_of(const PlanOptions& options);
 
 /// An option of one planner. The type of `standard` is the type of its values.
@@ -232,11 +234,9 @@ struct CommonOption {
 
 /// Value of an option as JSON: a number, string or bool.
 [[nodiscard]] std::string json_of(const OptionValue& value);
-
 /// Value of an option from text. Throws InputError naming the option when the text has another type
 /// or is out of range.
 [[nodiscard]] OptionValue parsed_value(const OptionInfo& info, std::string_view text);
-
 /// The value in the type of its option: a whole number becomes a number where one is wanted. Throws
 /// InputError naming the option when the value has another type or is out of range.
 [[nodiscard]] OptionValue fitting_value(const OptionInfo& info, const OptionValue& given);

@@ -36,8 +36,8 @@ struct PlannerProperties {
   bool honours_prices = false;    ///< whether `CostOptions` count; otherwise the cost is the length
   bool honours_gears = false;     ///< whether paths keep to `CostOptions::gears`
   Style style = Style::shortest;  ///< style when no style and no price is set
-  /// Steering of a vehicle without a trailer when no steering is set. None: the steering of the
-  /// style.
+  /// Steering when no steering is set; with a trailer only if the cost is the time. None: the
+  /// steering of the style.
   std::optional<Steering> steering = {};
   bool honours_time = false;     ///< whether `CostMeasure::time` is minimised
   bool honours_threads = false;  ///< whether `BudgetOptions::threads` are used
@@ -81,8 +81,7 @@ struct PlanResult {
   /// Obstacle, cell or bound in the way of a start or goal in collision.
   std::optional<Hit> hit = {};
   std::optional<Path> path = {};  ///< path from the start, as it was given, to the goal
-  /// The goal at which the path ends. None without a path, or if the problem has only one goal
-  /// pose.
+  /// The goal of a set at which the path ends. None without a path, or without a set of goals.
   std::optional<ReachedGoal> goal = {};
   double cost = 0.0;      ///< cost of the path [m], or [s] where the cost is the time
   CostOptions rule = {};  ///< prices that were minimised; all of them are set
@@ -116,7 +115,8 @@ struct PlanResult {
 /// first one, and the planner improves it before it looks for others.
 ///
 /// `path` is in the scenario's frame. It is ignored for a vehicle with a trailer and among moving
-/// obstacles. Throws InputError naming "segments[3]" for a segment that is not finite.
+/// obstacles. Throws InputError naming "segments[3]" for a segment that is not finite. The numbers
+/// of `path.start` must be finite, too; they are not checked.
 [[nodiscard]] Planner warm_started(const Path& path);
 
 /// The planner of that name; none if there is no such planner. For a search that is guided by an
@@ -138,8 +138,12 @@ struct PlanResult {
 /// - A run without a limit of time or iterations gets `default_time_limit`.
 ///
 /// Throws InputError naming the first option that is out of range or that the planner does not
-/// honour; the message lists the planners that do. It names "planner" if the planner cannot plan
-/// with a trailer, and "steering" if it cannot do so with that steering.
+/// honour; the message lists the planners that do. Values without effect are accepted: defaults,
+/// style `shortest` and its prices, and steering reeds-shepp. The error also names:
+///
+/// - a price that has an effect although the cost is the time,
+/// - "estimate" for the estimate "table" without a table, "table" for a table that is not used,
+/// - "planner" if the planner cannot plan with a trailer, "steering" if not with that steering.
 [[nodiscard]] PlanOptions complete(const Planner& planner, const PlanOptions& options = {},
                                    const Vehicle& vehicle = {});
 
@@ -155,8 +159,9 @@ struct PlanResult {
 void set_option(PlanOptions& options, const Planner& planner, std::string_view name,
                 std::string_view text);
 
-/// Whether an option must be set before others, because it resets them: "style" resets the prices
-/// and the steering, "cost" the prices.
+/// Whether an option must be set before others, because it resets them: "style" resets the cost to
+/// `prices`, all prices and the steering; "cost" resets the prices. So "style" comes before "cost":
+/// "cost=time" followed by "style=shortest" minimises the length.
 [[nodiscard]] bool is_set_first(std::string_view option) noexcept;
 
 /// Sets those options that the planner honours, and skips the others. Throws InputError naming the
@@ -164,8 +169,12 @@ void set_option(PlanOptions& options, const Planner& planner, std::string_view n
 void set_honoured(PlanOptions& options, const Planner& planner, std::span<const Setting> settings);
 
 /// Plans a path. A run without a limit of time or iterations takes `default_time_limit`. The path
-/// that is returned has passed the judge. If the judge rejects the planner's path, the result has
-/// no path: its status is `rejected`, and `check` says why. Throws InputError naming:
+/// that is returned has passed the judge.
+///
+/// The status is `rejected` if the judge rejects the planner's path or its speeds, or if the
+/// planner's answer contradicts itself. The result then has no path, and `reason` says why. `check`
+/// is the verdict on a path, `drive_check` that on speeds; a verdict is missing if nothing was
+/// judged. Throws InputError naming:
 ///
 /// - an option that `complete` refuses,
 /// - "problem" if `make_problem` did not make it,
@@ -181,9 +190,10 @@ void set_honoured(PlanOptions& options, const Planner& planner, std::span<const 
 /// scenario or the option that is wrong.
 [[nodiscard]] PlanResult plan(const Scenario& scenario, const PlanOptions& options = {});
 
-/// Plans many problems, `jobs` at a time, with equal options. `take(i, result)` is called once for
-/// each problem, one call at a time, in the order of the problems. Throws what a planner or `take`
-/// throws.
+/// Plans many problems, `jobs` at a time, with equal options; `jobs` below 1 counts as 1.
+/// `take(i, result)` is called once for each problem, one call at a time, in the order of the
+/// problems. With several jobs it runs on any of the threads that plan, not only on the caller's.
+/// Throws what a planner or `take` throws.
 void plan_many(std::span<const Problem> problems, const Planner& planner,
                const PlanOptions& options, int jobs,
                const std::function<void(std::size_t, PlanResult)>& take);

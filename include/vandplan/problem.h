@@ -83,7 +83,7 @@ class World {
   /// when a number is not finite or out of range, bounds are crossed, or areas of `inside` touch
   /// each other. It also throws for a polygon with fewer than three corners or no area, or one that
   /// crosses or touches itself. Repeated corners are dropped. A polygon of one repeated corner
-  /// stands for that point.
+  /// stands for that point. Bounds are cut at 1000 km from the origin along each axis.
   World(const Surroundings& surroundings, const Point& near);
   /// Makes a world like `ground` with more obstacles, given in the frame of `ground`. The origin of
   /// the new world is 0. It shares what was made of the map. Throws InputError naming "more[2]".
@@ -179,14 +179,11 @@ class Problem {
 
 /// Checks a scenario without building its world. Throws InputError naming the key that is wrong.
 void check_scenario(const Scenario& scenario);
-
 /// Checks a vehicle alone. Throws InputError naming "vehicle.width" or another key.
 void check_vehicle(const Vehicle& vehicle);
-
 /// Checks two poses alone. Throws InputError naming "start.x", "goal" or another key that is wrong.
 /// A goal is at most 100 km from its start.
 void check_poses(const Pose& start, const Pose& goal);
-
 /// Checks a map alone. Throws InputError naming "map.resolution", "map.origin" or "map".
 void check_map(const OccupancyGrid& map);
 
@@ -202,9 +199,12 @@ void check_map(const OccupancyGrid& map);
 /// built again, so thousands of problems may share it, on any number of threads. Throws InputError
 /// naming:
 ///
-/// - "world" if it is null, "vehicle.width", "start.x" or "goal" if a number is out of range,
-/// - "start.curvature" or "goal.curvature" if the vehicle cannot turn so sharply,
-/// - "start.hitch_angles" or "goal.hitch_angles" if its trailer may not stand so.
+/// - "world" if it is null, "start.x" or "goal" if a number is out of range,
+/// - "start.curvature" or "goal.curvature" if it exceeds 1/min_turning_radius, as 0 does if that is
+///   negative,
+/// - "start.hitch_angles" or "goal.hitch_angles" if the trailer may not stand so, or is missing and
+///   the angle is not 0,
+/// - "vehicle.width" or another key of the vehicle, which is checked last.
 [[nodiscard]] Problem make_problem(std::shared_ptr<const World> world, const Vehicle& vehicle,
                                    const Pose& start, const Pose& goal,
                                    const EndCurvatures& curvatures = {},
@@ -215,7 +215,8 @@ void check_map(const OccupancyGrid& map);
 [[nodiscard]] Problem with_moving(Problem problem, std::span<const MovingObstacle> moving);
 
 /// The problem with another start and goal in the scenario's frame, and straight wheels and trailer
-/// at both. It has no set of goals. Throws InputError naming "start.x", "goal" or another key.
+/// at both. It keeps the moving obstacles, but has no set of goals. Throws InputError naming
+/// "start.x", "goal" or another key.
 [[nodiscard]] Problem with_poses(const Problem& problem, const Pose& start, const Pose& goal);
 
 /// The problem with this set of goals in place of its goal, in the scenario's frame. Throws
@@ -240,7 +241,7 @@ LocalPose to_local(const World& world, const LocalPose& pose) = delete;
 /// Region where planners draw samples. Driving is allowed everywhere in the bounds.
 enum class Region {
   bounds,  ///< the bounds of the scenario
-  scene,   ///< box around start, goal, obstacles, kerbs and map plus 20 m, cut to the bounds
+  scene,   ///< box around start, `Task::goal`, obstacles, kerbs, map plus 20 m, cut to the bounds
 };
 
 /// The region of a task, in the world's frame [m].

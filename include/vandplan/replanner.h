@@ -97,7 +97,8 @@ struct ReplanAnswer {
   double start_speed = 0.0;   ///< speed with which the drive begins [m/s]; never negative
   bool reaches_goal = false;  ///< whether the drive ends at the goal, not on the way
   /// Whether the judge accepts the rest of the drive. It touches nothing that stands or moves, then
-  /// or ever after, as far as ground and moving obstacles are known.
+  /// or ever after, as far as ground and moving obstacles are known. It also keeps the margin,
+  /// unless it ends in a standstill on the way (outcome `stop`, or `kept` after it).
   bool is_safe = false;
   /// Reason why the drive is not safe or does not reach the goal; otherwise empty.
   std::string reason = {};
@@ -150,9 +151,10 @@ class Replanner {
   const ReplanAnswer& tick(double t);
 
   /// Plans at time `t` [s] for a vehicle in that state. Beyond 0.5 m, 0.5 m/s or 10 degrees from
-  /// the last answer the plan begins at the state. Throws InputError naming "t", "state.pose",
-  /// "state.v" or "state.curvature" that is not finite or out of range; the answer then stays as it
-  /// was.
+  /// the last answer the plan begins at the state, otherwise at the planned state. The first tick
+  /// begins at the scenario's start and ignores the state. Throws InputError naming "t",
+  /// "state.pose", "state.v" or "state.curvature" that is not finite or out of range; the answer
+  /// then stays as it was.
   const ReplanAnswer& tick(double t, const VehicleState& state);
 
   /// The answer of the last tick; it has no drive before the first one.

@@ -43,15 +43,15 @@ struct RigState {
                                        const Segment& segment) noexcept;
 
 /// State after driving the segment, in the frame of `state`. The hitch angle is in [-pi, pi).
-/// Without a trailer it keeps its value.
+/// Without a trailer it is the one in `state`, wrapped.
 [[nodiscard]] RigState advance(const Vehicle& vehicle, const RigState& state,
                                const Segment& segment) noexcept;
 
 /// Hitch angles [rad] at the points that `sampled(path, step)` gives, one for each point.
 /// `start_angle` is the hitch angle at the start of the path [rad], `step` the largest distance of
-/// points [m]. Without a trailer all are `start_angle`. Throws InputError naming "segments[3]" for
-/// a segment that is not finite, or "step" unless it is > 0 and at least a 10^7th of the path's
-/// length.
+/// points [m]. The angles are not wrapped. Without a trailer all are `start_angle`. Throws
+/// InputError naming "segments[3]" for a segment that is not finite, or "step" unless it is > 0 and
+/// at least a 10^7th of the path's length.
 [[nodiscard]] std::vector<double> sampled_hitch_angles(const Vehicle& vehicle, const Path& path,
                                                        double start_angle, double step);
 

@@ -29,8 +29,8 @@ enum class SmoothMethod : std::uint8_t {
 /// path (`stored`) take precedence over those that the scenario wants.
 ///
 /// The budget of that run does not count, nor a stored steering of reeds-shepp. Such a run allowed
-/// jumps of the curvature, and smoothing removes them where there is no trailer. Throws InputError
-/// naming the option whose value is not valid.
+/// jumps of the curvature, and smoothing removes them; with a trailer only if the cost is the time.
+/// Throws InputError naming the option whose value is not valid.
 [[nodiscard]] PlanOptions smooth_options(std::span<const Setting> scenario,
                                          std::span<const Setting> stored);
 
@@ -40,7 +40,8 @@ struct Smoothed {
   PlanOptions options = {};  ///< options that were in force
   /// Cost of the path that was given, by these options [m] or [s].
   double given_cost = 0.0;
-  /// Fault that the judge finds in the given path, by these options; empty: none.
+  /// Fault that the judge finds in the given path, by these options; empty: none. That the path
+  /// ends at no goal of a set is no fault (see `smooth`).
   std::string given_fault = {};
   /// Whether the result is the path that was given, because nothing better was found.
   bool is_given = false;
@@ -50,15 +51,20 @@ struct Smoothed {
 /// worse by these options: it costs no more, and strokes shorter than `min_stroke` become no
 /// shorter in total.
 ///
-/// Throws InputError as `plan` does, also if there are moving obstacles, and naming "path" if it
-/// has a number that is not finite.
+/// With a set of goals, the goal is the one at which the path ends. If it ends at none, the goal is
+/// its own end: the status is `solved` all the same, and `result.goal` is none. A run without a
+/// limit of time or iterations takes `default_time_limit`.
+///
+/// Throws InputError as `plan` does, also naming "moving" if there are moving obstacles, and "path"
+/// if it has a number that is not finite.
 [[nodiscard]] Smoothed smooth(const Problem& problem, const Path& path,
                               SmoothMethod method = SmoothMethod::optimised,
                               const PlanOptions& options = {});
 
 /// The planner that `smooth` runs: it keeps to the way of one path, whose segments lead from the
-/// problem's start to its goal. The start of `path` is not used. Unless a steering is set it steers
-/// between stops, and with a trailer as reeds-shepp. It is not among `planners()`.
+/// problem's start to its goal. The start of `path` is not used. Unless a steering is set, it is
+/// `continuous_between_stops`, also with style `shortest`. With a trailer it is `reeds_shepp`,
+/// unless the cost is the time. The planner is not among `planners()`.
 ///
 /// - A path that is nearer than a millimetre to something may count as blocked.
 /// - It finds no path where one beside the given path is needed that it does not see. Then

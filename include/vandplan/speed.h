@@ -72,7 +72,8 @@ inline constexpr double ignored_steering_jump = 1e-6;
 /// jerk no drive is shorter by 0.1 %. With one the drive keeps it and is near the shortest.
 ///
 /// Throws InputError naming a limit that is out of range ("max_speed.forward"),
-/// "vehicle.wheelbase", "start_curvature", or "segments[3]" if it is not finite.
+/// "vehicle.wheelbase", "start_curvature", or "segments[3]" if it is not finite. The path may be
+/// sharper than `min_turning_radius`, which does not count here.
 [[nodiscard]] SpeedProfile speed_profile(const Path& path, const Vehicle& vehicle,
                                          const SpeedOptions& options = {});
 
@@ -93,9 +94,11 @@ struct Motion {
 [[nodiscard]] Motion motion_at(const Path& path, const Vehicle& vehicle,
                                const SpeedProfile& profile, double t);
 
-/// The motion at all multiples of `step` [s], at start and goal, and where a pause begins or ends.
-/// The times increase strictly. Throws InputError naming "profile" without knots, or "step" unless
-/// it is > 0 and at least a 10^7th of the duration.
+/// The motion at start and goal, where each stop begins and its pause ends, and at multiples of
+/// `step` [s]. Multiples within step/1000 of one of the other times are left out. The times
+/// increase strictly; a stop without a pause, such as a gear change, has one time. Throws
+/// InputError naming "profile" without knots, or "step" unless it is > 0 and at least a 10^7th of
+/// the duration.
 [[nodiscard]] std::vector<Motion> sampled(const Path& path, const Vehicle& vehicle,
                                           const SpeedProfile& profile, double step);
 

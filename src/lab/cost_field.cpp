@@ -197,7 +197,8 @@ CostField::Step CostField::best_step(const Point& from) const {
   Step best;
   const Place cell = cell_of(from);
   const Point corner = point_of(cell);
-  const double near = 1e-6 * cells_.side;  // [m]; nearer to a grid line, both its cells count
+  // Distance to a grid line below which the cells on both sides count [m].
+  const double near = 1e-6 * cells_.side;
   for (const std::int32_t y : {0, -1, 1}) {
     if (y == -1 && from.y - corner.y > near) continue;
     if (y == 1 && corner.y + cells_.side - from.y > near) continue;

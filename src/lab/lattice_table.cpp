@@ -67,7 +67,8 @@ LatticeTable::LatticeTable(const Primitives& primitives,
   std::priority_queue<Reached> open;
   const auto reach = [&](const Vertex& vertex, float length) {
     if (static_cast<double>(length) >= most_) return;
-    float& known = lengths_[index_of(vertex)];  // in range: a way this short stays within `reach_`
+    // The index is in range: a way below `most_` stays within `reach_` steps.
+    float& known = lengths_[index_of(vertex)];
     if (length >= known) return;
     known = length;
     open.push({length, vertex});

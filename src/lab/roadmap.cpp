@@ -157,7 +157,7 @@ class Roadmap::Data::Query {
     double estimate = -1.0;     // estimated length to the goal [m]; negative: not computed
     double to_goal = infinity;  // length of the node's own piece to the goal [m]; infinite: none
     double bound = infinity;    // least length of the ways here that are known to be free [m]
-    double length = infinity;  // length of the way that reached the node [m]; infinite: none
+    double length = infinity;   // length of the way that reached the node [m]; infinite: none
   };
 
   /// A reached node, and the position of the previous node in `reached_`; -1: none.

@@ -77,7 +77,7 @@ class VoronoiField {
   double side_;
   std::int32_t columns_, rows_;
   Nearest obstacles_, middle_;
-  std::int32_t map_row_ = 0;  // next row of cells to seed from the map
+  std::int32_t map_row_ = 0;     // next row of cells to seed from the map
   std::int32_t middle_row_ = 0;  // next row whose cells on the middle are seeded
 };
 

@@ -44,9 +44,9 @@ bool meets_cell(const Polygon& body, double column, double row) {
 
 /// The nearest blocked cell that was found so far.
 struct Hit {
-  double squared_distance =
-      std::numeric_limits<double>::infinity();  ///< to the rear axle [cells^2]
-  Point middle = {};                            ///< middle of the cell [cells]
+  /// Squared distance from the rear axle to `middle` [cells^2].
+  double squared_distance = std::numeric_limits<double>::infinity();
+  Point middle = {};      ///< middle of the cell [cells]
   std::string what = {};  ///< why the cell is blocked; empty: no cell was found
 };
 

@@ -126,8 +126,10 @@ void bind_drive_result(py::module_& module) {
 A path with a margin of at least that is driven without contact.)")
       .field("out_of_bounds", &DriveResult::out_of_bounds,
              "Largest distance of the rear axle outside the bounds [m].")
-      .field("clearance", &DriveResult::clearance,
-             "Least distance from an obstacle [m]; infinite without obstacles.")
+      .field(
+          "clearance", &DriveResult::clearance,
+          "Least distance from an obstacle [m]; infinite without obstacles within 1 km, 0 after a "
+          "contact.")
       .field("contact", &DriveResult::contact, "The first `Contact`, or None.")
       .part([](const DriveResult& self) { return log_table(self.log); },
             [](DriveResult& self, const py::handle& table) { self.log = log_from(table); });
@@ -167,7 +169,7 @@ void bind_executable(py::module_& module) {
       .field("pausing", &ExecutableCheck::pausing,
              "The `Execution` that also stops at jumps of the curvature.")
       .field("jumps", &ExecutableCheck::jumps,
-             "Number of curvature jumps on the way, without those at gear changes.");
+             "Number of curvature jumps, without those at the start and at gear changes.");
   check.pickled();
 }
 

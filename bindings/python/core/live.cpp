@@ -120,7 +120,8 @@ void bind_answer(py::module_& module) {
       R"("kept", "new_times" (along the same way), "new_way", "stop" or "none".
 
 "stop": no drive to the goal was found, so the drive ends in an earlier standstill. "none": no safe
-drive was found, so the vehicle brakes as hard as it can.)");
+drive was found, so the vehicle brakes as hard as it can, or goes on if that touches something
+later.)");
   property(
       "begin", [](const ReplanAnswer& a) { return a.begin; },
       "Time at which the drive begins, on the replanner's clock [s].");
@@ -255,7 +256,7 @@ Plans at time `t` [s] for a vehicle that follows the last answer.
 
 `t` must not be before that of the last tick. `pose`, speed `v` [m/s] and `curvature` of the wheels
 [1/m] are measurements. The plan begins there if the vehicle is more than 0.5 m, 0.5 m/s or 10
-degrees away from the last answer.)")
+degrees away from the last answer. The first tick ignores them and begins at the start.)")
       .def("patch", &patch, py::kw_only(), "cells"_a = py::tuple(), "added"_a = py::dict(),
            "removed"_a = std::vector<std::int64_t>{},
            R"(patch(*, cells=(), added={}, removed=())

@@ -188,9 +188,9 @@ Cheaper path along the way of a `Path`, `SpeedProfile` or `Result`, which the wh
   steering), which replace those of the scenario.
 
 The budget of a `Result` is not used. If its steering is "reeds-shepp", that becomes
-"continuous-between-stops", except with a trailer. The judge checks the path. By these options it is
-never worse than a given path that the judge accepts: without an improvement the given path is
-returned.)");
+"continuous-between-stops"; with a trailer only if the cost is the time. The judge checks the path.
+By these options it is never worse than a given path that the judge accepts: without an improvement
+the given path is returned.)");
 }
 
 }  // namespace vandplan::python

@@ -193,7 +193,9 @@ Keys: t [s], s [m], pause [s], curvature_before and curvature_after [1/m].)")
 Keys: t [s], s [m], v [m/s], a [m/s^2], jerk [m/s^3], and bound, the limit until the next knot.)")
       .def("motions", &motions_of, "step"_a = 0.05, R"(motions(step=0.05) -> dict of arrays
 
-Motion at all multiples of `step` [s], a dict of columns.
+Motion at start and goal, at begin and end of stops, and at multiples of `step` [s] between them.
+
+The result is a dict of columns. Multiples within step/1000 of another time are left out.
 
 Keys: t [s], s [m], x, y, heading, curvature [1/m], steering_angle [rad], direction, v [m/s], a
 [m/s^2]. v is negative in reverse.)")

@@ -23,7 +23,7 @@ search::Route Finisher::with_fewer_changes(const search::Route& best, double sho
                                            std::uint64_t seed, search::Budget& budget) const {
   if (rules_.has_prices || best.legs.size() < 2) return best;
   CostRule rule = pricing_.rule();
-  rule.gear_change_cost = 1e-8;  // [m]; decides between routes of equal length only
+  rule.gear_change_cost = 1e-8;  // so small that it only breaks ties [m]
   Connector connector(task_, rule);
   Route route = best;
   route.cost = cost_of(rule, route);
