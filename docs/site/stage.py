@@ -99,7 +99,7 @@ class Site:
     def source_page(self, name):
         """A page with the text of a file, or of the files of a folder."""
         source = REPOSITORY / name
-        place = f"sources/{name}.md"
+        place = f"sources/{name}" if source.suffix == ".md" else f"sources/{name}.md"
         self.pages[name] = place
         if source.suffix == ".md":
             self.write(place, "---\norphan: true\n---\n" + self.linked(source.read_text(), name, place))

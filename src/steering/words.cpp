@@ -213,7 +213,7 @@ void find_words(const Pose& from, const Pose& to, double radius, const Wanted& w
 }  // namespace steering
 
 std::vector<Piece> reeds_shepp_words(const Pose& from, const Pose& to, double radius) {
-  base::require(radius > 0.0, "radius", radius, "more than 0 m");
+  base::require_radius(radius);
   const Circles circles(mean_frame(from, to, radius));
   std::vector<Piece> words;
   for (const Kind& kind : std::span(kinds).first(reeds_shepp_kinds)) {

@@ -183,11 +183,11 @@ TEST(HeuristicTable, NumbersThatAreNoneReadNothingOutsideOfTheTable) {
   }
   EXPECT_TRUE(std::isnan(table.distance({nan, 1, 0}, {0, 0, 0}, 7.0)));
   EXPECT_TRUE(std::isnan(table.distance({1, nan, 0}, {0, 0, 0}, 7.0)));
-  for (const double radius : {infinity, 1e-300, 1e300}) {
+  for (const double radius : {1e-300, 1e300}) {
     (void)table.distance({0, 0, 1}, {0, 0, 2}, radius);
     (void)table.distance({1, 1, 1}, {0, 0, 2}, radius);
   }
-  for (const double radius : {0.0, nan, -7.0}) {
+  for (const double radius : {0.0, nan, -7.0, infinity}) {
     EXPECT_THROW((void)table.distance({1, 1, 1}, {0, 0, 2}, radius), InputError) << radius;
   }
 }
@@ -209,7 +209,7 @@ TEST(HeuristicTable, NumbersThatAreNoneReadNothingOutsideInBatches) {
     EXPECT_LE(out[1], static_cast<float>(table.entries().size() - 1));
     table.distances({x, x, x}, {0, 0, static_cast<double>(odd)}, 7.0, out);
     const auto radius = static_cast<double>(odd);
-    if (radius > 0.0) {
+    if (radius > 0.0 && std::isfinite(radius)) {
       table.distances({x, x, x}, {0, 0, 1}, radius, out);
     } else {
       EXPECT_THROW(table.distances({x, x, x}, {0, 0, 1}, radius, out), InputError) << radius;
@@ -231,7 +231,7 @@ TEST(LengthBounds, NumbersThatAreNoneReadNothingOutsideOfTheTable) {
     EXPECT_LT(high[0], 40.0F);
     EXPECT_FALSE(high[3] < 40.0F);
     length_bounds({x, x, some}, {0, 0, 1}, 7.0, low, high);
-    if (odd > 0.0) {
+    if (odd > 0.0 && std::isfinite(odd)) {
       (void)length_bounds({1, 1, 0}, {0, 0, 0}, odd);
       length_bounds({x, x, x}, {0, 0, 1}, odd, low, high);
     } else {
