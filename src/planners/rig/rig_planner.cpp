@@ -3,359 +3,54 @@
 #include "planners/rig/rig_planner.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <deque>
+#include <cstdint>
 #include <optional>
-#include <span>
-#include <string>
-#include <utility>
-#include <vector>
 
-#include "planners/commands/short_strokes.h"
-#include "planners/commands/shorten_drive.h"
-#include "planners/rig/behind_tractor.h"
-#include "planners/rig/rig_search.h"
-#include "planners/rig/room_for_margin.h"
-#include "planners/rig/softer_wheels.h"
-#include "planners/rig/towed.h"
-#include "search/enclosure.h"
-#include "vandplan/random.h"
-#include "vandplan/search.h"
+#include "planners/rig/rig_run.h"
 
 namespace vandplan::rig {
 namespace {
 
-using namespace search;
-
-constexpr double rounding = 1e-9;      // relative rounding of the bound
-constexpr double worth_a_trial = 1.3;  // a route may cost so many times the best drive
-
-/// Settings of a search, for ways that are open, narrow or full of turns.
-struct Kind {
-  double step, weight;
-  int levels;
-  int share;  ///< share of the expansions, relative to other searches
-};
-constexpr std::array<Kind, 7> kinds = {{{3, 8, 1, 1},
-                                        {2.2, 8, 2, 1},
-                                        {1.5, 8, 4, 1},
-                                        {1, 1.7, 1, 3},
-                                        {3, 8, 1, 1},
-                                        {2.2, 8, 2, 1},
-                                        {1.5, 8, 4, 1}}};
-/// Index of the search that hardly reverses until there is a drive.
-constexpr std::size_t forward_kind = 4;
-constexpr std::size_t bare_kinds = 5;  // index of the first search without the margin
-
-/// Trials between two checks whether a drive may become the best one.
-constexpr int trials_of_look = 128;
-/// A drive is given up if so many times its last gain would not make it the best one.
-constexpr double hope = 6.0;
-
-/// Prices of the searches for the first drive, whatever the prices in force.
-CostRule helpful_rule(const CostOptions& cost) {
-  CostOptions options = driver_style;
-  options.initial_gear = cost.initial_gear;
-  options.gears = cost.gears;
-  return cost_rule(options);
-}
-
-/// Prices that lead to other kinds of drive: they hardly reverse.
-CostRule forward_rule(const CostOptions& cost) {
-  CostOptions options = driver_style;
-  options.initial_gear = cost.initial_gear;
-  options.gears = cost.gears;
-  options.reverse_weight = 1000.0;
-  options.gear_change_cost = 100.0;
-  return cost_rule(options);
-}
-
-/// One run: its searches, and its best drive so far.
-class Run {
+/// A second run, whose wheels need time to turn. What it drives may be driven by wheels that turn
+/// at once, too, and it begins with drives of other kinds.
+class StricterRun {
  public:
-  Run(const Task& task, const PlanOptions& options, const planning::Pricing& pricing)
-      : task_(task),
-        tasks_(pricing.counts_time() ? with_softer_wheels(task) : std::deque<Task>{task}),
-        options_(options),
-        pricing_(pricing),
-        min_stroke_(options.planner.number("min_stroke")),
-        budget_(options.budget),
-        rules_{pricing.rule(), helpful_rule(options.cost), pricing.rule(),
-               forward_rule(options.cost)},
-        unit_(search_unit(task.vehicle)),
-        bare_(without_margin(task, options.clearance.margin)),
-        guides_(task),
-        towed_(towed_task(task)),
-        bound_(least_cost(task, pricing)),
-        least_(least_cost(task, pricing, Ends::exact)) {}
-
-  /// If the goal is far away, follows a path of the tractor first.
-  void begin();
-  /// One round of searches, following and shortening. False when the run is over.
-  bool search();
-  /// Whether it is proven that the tractor or the trailer cannot get from the start to the goal.
-  [[nodiscard]] bool is_walled_in() const { return tractor_.is_proven() || trailer_.is_proven(); }
-  [[nodiscard]] PlannerAnswer answer();
-  [[nodiscard]] bool is_over() { return budget_.exhausted() || is_walled_in() || is_good_enough(); }
-
- private:
-  static constexpr int first_share = 128, most_share = 1 << 14;
-  /// Slot of one kind of search.
-  struct Search {
-    std::optional<RigSearch> now;
-    int rounds = 0;
-    std::size_t task = 0;       // index of the task whose wheels the search has
-    bool is_of_prices = false;  // whether the search has the prices in force
-    bool is_bare = false;       // whether the search ignores the margin
-  };
-
-  void look_for_walls();
-  void begin(Search& search);
-  void end(Search& search);
-  [[nodiscard]] double cutoff() const;
-  void turn(Search& search, int expansions);
-  void follow_tractor(std::int64_t work);
-  void polish();
-  void shorten(DriveShortener& drive, std::size_t task);
-  void take(std::vector<Segment> commands, std::size_t with);
-  void widen(const std::vector<Segment>& commands);
-  void keep(const DriveShortener& drive, std::size_t task);
-  [[nodiscard]] commands::DriveShortener::Measure measure() const;
-  [[nodiscard]] bool is_good_enough() const {
-    const double gap = options_.budget.target_gap.value_or(0.0);
-    return best_ && best_wanted_ <= std::max(bound_ * (1 + gap), least_ * (1 + rounding));
+  StricterRun(const Task& task, const PlanOptions& options, double time_left)
+      : task_(stricter(task)),
+        options_(without_limits(options, time_left)),
+        pricing_(task_, options.cost),
+        run_(task_, options_, pricing_) {
+    run_.begin();
   }
+  StricterRun(const StricterRun&) = delete;
 
-  const Task& task_;
-  const std::deque<Task> tasks_;  // the task, and copies with slower wheels if time counts
-  const PlanOptions& options_;
-  const planning::Pricing& pricing_;
-  double min_stroke_;  // least stroke that is asked for [m]
-  Budget budget_;
-  /// Prices of searches: in force, a driver's, in force, and with hardly any reverse.
-  std::array<CostRule, 4> rules_;
-  double unit_;               // unit of the steps of a search [m]
-  std::optional<Task> bare_;  // the task without its margin
-  Guides guides_;
-  std::array<Search, kinds.size()> searches_;
-  int share_ = first_share;  // expansions of a search in a round, which grow
-  int follows_ = 0;          // paths of the tractor that were followed
-  Task towed_;
-  Enclosure tractor_{task_}, trailer_{towed_};
-  double bound_;                              // lower bound of the cost [m or s]
-  double least_;                              // lower bound of the cost with exact ends [m or s]
-  std::optional<std::vector<Segment>> best_;  // segments of the best drive
-  std::vector<Segment> best_commands_;        // commands of the best drive
-  std::size_t best_with_ = 0;      // index of the task whose wheels obey the best commands
-  std::vector<Segment> roomiest_;  // drive without the margin, while there is none with it
-  double lack_ = 0.0;              // cost of `roomiest_` by `rule_of_room`
-  double best_cost_ = 0.0;         // cost of the best drive
-  double best_wanted_ = 0.0;       // cost of the best drive with a price for short strokes
-  std::vector<CostSample> trace_;
-  std::int64_t nodes_ = 0, checks_ = 0, closings_ = 0, bridges_ = 0, trials_ = 0;
-  std::uint64_t shortened_ = 0;  // drives shortened so far; numbers their seeds
-};
-
-/// Begins a search in place of one that has ended or found a drive. It is finer each time. Before
-/// the first drive searches have helpful prices; then each has all prices in turn.
-void Run::begin(Search& search) {
-  const auto kind = static_cast<std::size_t>(&search - searches_.data());
-  const auto& [step, weight, levels, share] = kinds[kind];
-  const int round = search.rounds++;
-  constexpr int most_rounds = 16;
-  constexpr double finer = 0.7;
-  const int finest = std::min(round, most_rounds);
-  const std::size_t first_rule = kind == forward_kind ? 3 : 1;
-  const std::size_t later = pricing_.counts_time() ? 0 : (static_cast<std::size_t>(round) + kind);
-  const std::size_t rule = best_ ? later % rules_.size() : first_rule;
-  search.task = best_ ? (kind + static_cast<std::size_t>(round)) % tasks_.size() : 0;
-  search.is_of_prices = rule % 2 == 0;
-  search.is_bare = kind >= bare_kinds;
-  search.now.emplace(
-      search.is_bare ? *bare_ : tasks_[search.task], rules_[rule], guides_,
-      Fineness{.step = unit_ * step * std::pow(finer, finest % 6),
-               .weight = round % 2 == 0 ? weight : 1 + weight / 4,
-               .levels = levels,
-               .most_nodes = static_cast<std::size_t>(40000 * std::exp2(0.5 * finest))});
-}
-
-void Run::end(Search& search) {
-  if (!search.now) return;
-  nodes_ += search.now->nodes();
-  checks_ += search.now->checks();
-  closings_ += search.now->closings();
-  bridges_ += search.now->bridges();
-  search.now.reset();
-}
-
-/// Works for a while on proofs that tractor or trailer cannot get there, unless there is a drive.
-void Run::look_for_walls() {
-  if (best_) return;
-  for (Enclosure* enclosure : {&tractor_, &trailer_}) {
-    for (int i = 0; i < share_ && !budget_.is_interrupted() && enclosure->step(); ++i) {
+  /// Works until it has had its share of the iterations of `first`.
+  void work_beside(Run& first) {
+    constexpr std::int64_t share = 4;  // the first run does so many times the work
+    while (goes_on_ && !first.is_over() && share * run_.iterations() < first.iterations()) {
+      const std::int64_t before = run_.iterations();
+      goes_on_ = run_.search();
+      first.take_from(run_, run_.iterations() - before);
     }
   }
-}
 
-/// Where the way is far, [1] comes before the searches, which take long there.
-void Run::begin() {
-  constexpr double far = 12;  // distance that is far [turning radii]
-  constexpr std::int64_t work_of_far_way = 1000;
-  const double apart = std::hypot(task_.goal.x - task_.start.x, task_.goal.y - task_.start.y);
-  if (apart > far * turning_radius(task_.vehicle)) follow_tractor(work_of_far_way);
-}
-
-/// [2] Does some expansions of a search, and takes a drive that it finds.
-void Run::turn(Search& search, int expansions) {
-  if (!search.now) begin(search);
-  if (best_ && search.is_of_prices) search.now->set_cutoff(cutoff());
-  while (expansions-- > 0 && budget_.next()) {
-    const bool goes_on = search.now->step();
-    std::optional<std::vector<Segment>> found = search.now->take_found();
-    if (goes_on && !found) continue;
-    end(search);
-    if (found && search.is_bare) widen(*found);
-    if (found && !search.is_bare) take(std::move(*found), search.task);
-    return;
+ private:
+  static Task stricter(Task task) {
+    task.steering = Steering::continuous_between_stops;
+    return task;
   }
-}
-
-/// [1] Plans another path of the tractor and follows it.
-void Run::follow_tractor(std::int64_t work) {
-  constexpr std::array radii = {1.3, 1.05, 1.6};
-  constexpr std::array reverse_weights = {20.0, 2.0};
-  const auto turn = static_cast<std::size_t>(follows_++);
-  const TractorTerms terms{.radius = radii[turn % radii.size()] * turning_radius(task_.vehicle),
-                           .reverse_weight = reverse_weights[turn / 2 % reverse_weights.size()],
-                           .distance = 0.4 * task_.vehicle.trailer->wheelbase,
-                           .iterations = work,
-                           .expansions = work,
-                           .seed = stream_seed(options_.budget.seed, turn)};
-  const auto drive = drive_behind_tractor(task_, options_, terms, budget_);
-  if (drive) take(*drive, 0);
-}
-
-bool Run::search() {
-  for (std::size_t i = 0; i < kinds.size() && !is_over(); ++i) {
-    if (i >= bare_kinds && (best_ || !bare_)) break;
-    const bool had_drive = best_.has_value();
-    turn(searches_[i], share_ * kinds[i].share);
-    if (!had_drive && best_) break;  // the other searches have not had the prices in force
+  static PlanOptions without_limits(PlanOptions options, double time_left) {
+    options.budget.max_iterations.reset();
+    if (options.budget.time_limit) options.budget.time_limit = time_left;
+    return options;
   }
-  const bool tries_others = !pricing_.counts_time() || !best_;  // by time a trial takes long
-  if (tries_others && !is_over()) follow_tractor(share_);
-  if (tries_others && !is_over()) polish();
-  look_for_walls();
-  share_ = std::min(2 * share_, most_share);
-  return !is_over();
-}
 
-/// Measure that drives are compared by; none where the cost is a sum over segments. A metre that
-/// strokes are too short costs more than any detour.
-commands::DriveShortener::Measure Run::measure() const {
-  if (!pricing_.counts_time() && min_stroke_ == 0.0) return {};
-  return [this](std::span<const Segment> segments) {
-    return pricing_.cost(segments, Looks::search) + commands::price_of_lack(segments, min_stroke_);
-  };
-}
-
-/// Price from which on searches ignore routes.
-double Run::cutoff() const {
-  if (!pricing_.counts_time()) return best_wanted_;
-  Driven driven = pricing_.rule().initial_gear;
-  return worth_a_trial * drive_cost(pricing_.rule(), *best_, driven);
-}
-
-void Run::keep(const DriveShortener& drive, std::size_t task) {
-  if (best_ && drive.cost() >= best_wanted_) return;
-  best_ = drive.segments();
-  best_commands_ = drive.commands();
-  best_with_ = task;
-  best_wanted_ = drive.cost();
-  best_cost_ = best_wanted_ - commands::price_of_lack(*best_, min_stroke_);
-  // A drive with longer strokes may cost more than the one before.
-  std::erase_if(trace_, [&](const CostSample& sample) { return sample.cost <= best_cost_; });
-  trace_.push_back({budget_.elapsed(), budget_.iterations(), best_cost_});
-}
-
-/// [4] Makes a drive cheaper as long as it is the best one or may become it.
-void Run::shorten(DriveShortener& drive, std::size_t task) {
-  keep(drive, task);
-  double before = drive.cost();
-  for (int trial = 1; !drive.is_stalled() && !is_good_enough() && budget_.next(); ++trial) {
-    ++trials_;
-    if (drive.step()) keep(drive, task);
-    if (pricing_.counts_time() || trial % trials_of_look != 0) continue;
-    const double gain = before - drive.cost();
-    if (drive.cost() - hope * gain > best_wanted_) break;
-    before = drive.cost();
-  }
-  checks_ += drive.checks();
-}
-
-/// Takes a drive that the wheels of task `with` obey, and shortens it with these wheels, then with
-/// softer ones. The drive is kept even if the budget is spent.
-void Run::take(std::vector<Segment> commands, std::size_t with) {
-  for (std::size_t i = with; i < tasks_.size() && (i == with || !budget_.exhausted()); ++i) {
-    const Task& task = tasks_[i];
-    std::optional<std::vector<Segment>> chain = commands;
-    if (i != with) chain = commands::obeyed(task, std::move(commands));
-    if (!chain) return;
-    DriveShortener drive(task, pricing_.rule(), *chain,
-                         stream_seed(options_.budget.seed, shortened_++), measure());
-    shorten(drive, i);
-    commands = drive.commands();
-  }
-}
-
-/// [2] Moves a drive that is free without the margin away from obstacles, until it keeps the
-/// margin.
-void Run::widen(const std::vector<Segment>& commands) {
-  const CostRule rule = rule_of_room(options_.clearance.margin);
-  DriveShortener drive(*bare_, rule, commands, stream_seed(options_.budget.seed, shortened_++));
-  while (!drive.is_stalled() && budget_.next()) {
-    ++trials_;
-    if (!drive.step()) continue;
-    std::optional<std::vector<Segment>> chain = commands::obeyed(task_, drive.commands());
-    if (!chain) continue;
-    take(*std::move(chain), 0);
-    break;
-  }
-  checks_ += drive.checks();
-  if (best_ || (!roomiest_.empty() && drive.cost() >= lack_)) return;
-  roomiest_ = drive.commands();
-  lack_ = drive.cost();
-}
-
-/// [5] Shortens the best drive again. If there is none, moves the roomiest drive away from
-/// obstacles.
-void Run::polish() {
-  if (best_) take(best_commands_, best_with_);
-  if (!best_ && !roomiest_.empty()) widen(std::vector(roomiest_));
-}
-
-PlannerAnswer Run::answer() {
-  for (Search& search : searches_) end(search);
-  PlannerAnswer answer;
-  answer.status = best_ ? PlanStatus::solved : budget_.exhausted().value_or(PlanStatus::stopped);
-  if (!best_ && is_walled_in()) {
-    answer.status = PlanStatus::no_path;
-    answer.reason = std::string("proven: nothing as wide as the ") +
-                    (tractor_.is_proven() ? "vehicle" : "trailer") +
-                    " gets from the start to the goal";
-  }
-  answer.segments = std::move(best_);
-  answer.lower_bound = answer.segments ? std::min(bound_ * (1 - rounding), best_cost_) : 0.0;
-  answer.iterations = budget_.iterations();
-  answer.anytime = std::move(trace_);
-  answer.counters = {{"nodes", nodes_},
-                     {"edge_checks", checks_},
-                     {"closings", closings_},
-                     {"bridges", bridges_},
-                     {"trials", trials_}};
-  return answer;
-}
+  Task task_;
+  PlanOptions options_;
+  planning::Pricing pricing_;
+  Run run_;
+  bool goes_on_ = true;
+};
 
 }  // namespace
 
@@ -364,7 +59,13 @@ PlannerAnswer plan_rig(const Task& task, const PlanOptions& options,
                        const planning::Pricing& pricing) {
   Run run(task, options, pricing);
   run.begin();
+  const bool has_other_kinds = task.steering == Steering::reeds_shepp && !pricing.counts_time() &&
+                               !pricing.rule().is_length();
+  std::optional<StricterRun> stricter;
   while (run.search()) {
+    if (!has_other_kinds || !run.has_drive()) continue;
+    if (!stricter) stricter.emplace(task, options, run.time_left());
+    stricter->work_beside(run);
   }
   return run.answer();
 }
