@@ -52,7 +52,7 @@ struct MovingObstacle {
 };
 
 /// Pose of the obstacle's own frame at time `t` [s], in the frame of its trajectory. The heading is
-/// not wrapped. None once the obstacle has left, or without a trajectory.
+/// not wrapped. None after the last row if the obstacle leaves then, or without a trajectory.
 [[nodiscard]] std::optional<Pose> pose_at(const MovingObstacle& obstacle, double t) noexcept;
 
 /// Growth of the outline on all sides at time `t` [s], in metres.
@@ -86,7 +86,7 @@ inline constexpr double meeting_tolerance = 1e-3;
 /// `meeting_tolerance` beyond the margin. A trailer counts, and begins in line with the vehicle.
 ///
 /// Throws InputError naming "segments[3]" (not finite), "drive.speeds" (no knots), "margin"
-/// (negative) or "moving[2]" (no outline or no trajectory).
+/// (negative) or "moving[2]" (fewer than three corners, or no trajectory).
 [[nodiscard]] std::optional<Meeting> first_meeting(const TimedPath& drive, const Vehicle& vehicle,
                                                    std::span<const MovingObstacle> moving,
                                                    double margin);

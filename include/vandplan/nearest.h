@@ -75,7 +75,7 @@ class NearestNodes {
   [[nodiscard]] std::vector<std::int32_t> nearest_in_any_order(const Pose& sample,
                                                                const NearWanted& wanted) const;
 
-  /// Number of nodes.
+  /// Number of nodes that were added and not removed.
   [[nodiscard]] std::size_t size() const noexcept;
 
  private:

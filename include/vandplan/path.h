@@ -125,8 +125,9 @@ struct PathPoint {
 /// Pose after `s` metres of the path, in its frame. `s` is clamped to [0, length].
 [[nodiscard]] Pose pose_at(const Path& path, double s) noexcept;
 
-/// Points of the path from start to end, at most `step` apart [m]. The ends of every segment are
-/// among them. A path without segments gives its start alone.
+/// Points of the path from start to end, at most `step` apart [m]: each segment is divided into
+/// equal parts. The ends of every segment are among them. A path without segments gives its start
+/// alone.
 ///
 /// Throws InputError naming "segments[3]" for a segment that is not finite, or "step" unless it
 /// is > 0 and at least a 10^7th of the path's length.

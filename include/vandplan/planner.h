@@ -164,7 +164,8 @@ void set_option(PlanOptions& options, const Planner& planner, std::string_view n
 /// "cost=time" followed by "style=shortest" minimises the length.
 [[nodiscard]] bool is_set_first(std::string_view option) noexcept;
 
-/// Sets those options that the planner honours, and skips the others. Throws InputError naming the
+/// Sets those options that the planner honours, and skips the others. Options that `is_set_first`
+/// names are set before the others, whatever their order. Throws InputError naming the
 /// option whose value is not valid.
 void set_honoured(PlanOptions& options, const Planner& planner, std::span<const Setting> settings);
 

@@ -221,7 +221,7 @@ void check_map(const OccupancyGrid& map);
 
 /// The problem with this set of goals in place of its goal, in the scenario's frame. Throws
 /// InputError naming "goal.x", "goal.area", "goal.any_of[2].heading" or another key when a number
-/// is out of range, an interval is crossed, or there is no region.
+/// is out of range or an interval is crossed, or "goal.any_of" without a region.
 [[nodiscard]] Problem with_goal_set(const Problem& problem, const std::vector<GoalRegion>& set);
 
 /// The problem as planners see it, with this margin and steering. Throws InputError naming "margin"

@@ -25,9 +25,11 @@ namespace vandplan {
 
 /// Lengths of the shortest paths from every node to one sample, in float, for ranking [m]: out[i]
 /// belongs to node i. They have equal bits on every processor. They are within
-/// 4e-6 * (length + radius) of the exact lengths between the poses as rounded to float. Throws
-/// InputError naming "radius" unless it is finite and > 0 [m], or "nodes" unless all columns have
-/// as many numbers as `out`.
+/// 4e-6 * (length + radius) of the exact lengths between the poses as rounded to float. Far from
+/// the origin that rounding alone is large (0.5 m at 6 000 km), so give poses near it.
+///
+/// Throws InputError naming "radius" unless it is finite and > 0 [m], or "nodes" unless all columns
+/// have as many numbers as `out`.
 void reeds_shepp_lengths(const PoseColumns& nodes, const Pose& sample, double radius,
                          std::span<float> out);
 

@@ -136,8 +136,8 @@ class Replanner {
   Replanner& operator=(Replanner&&) noexcept;
 
   /// Changes the ground from now on. Throws InputError naming "cells[0]" for cells that are not on
-  /// the map, "cells[0].cells" for a wrong number of cells, or "added[0].outline" for a polygon
-  /// that is not simple. The ground then stays as it was.
+  /// the map (or without a map), "cells[0].cells" for a wrong number of cells, or
+  /// "added[0].outline" for a polygon that is not simple. The ground then stays as it was.
   void patch(const WorldPatch& patch);
 
   /// Sets all moving obstacles from now on, in the scenario's frame and with times of this

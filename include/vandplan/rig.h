@@ -30,7 +30,8 @@ struct RigState {
 /// [rad].
 [[nodiscard]] Pose tractor_pose(const Vehicle& vehicle, const Pose& trailer, double hitch_angle);
 
-/// Change of the hitch angle per metre driven forward [rad/m]. `hitch_angle` is in rad, `curvature`
+/// Change of the hitch angle per metre driven forward [rad/m]; in reverse it has the opposite sign.
+/// `hitch_angle` is in rad, `curvature`
 /// is that of the tractor's path [1/m].
 [[nodiscard]] double hitch_rate(const Vehicle& vehicle, double hitch_angle, double curvature);
 
