@@ -168,9 +168,10 @@ class OmplWriter {
 
   std::int64_t planner_of(const RunRecord& run) {
     PlanOptions options = *run.options;
-    if (options.planner.find("region") != nullptr)
-      // The region is a parameter of the experiment.
+    // The region is a parameter of the experiment, not of the planner.
+    if (options.planner.find("region") != nullptr) {
       options.planner.set("region", std::string("bounds"));
+    }
     const std::string settings = options_to_json(options);
     std::int64_t& id = planners_[{run.planner, settings}];
     if (id == 0) {
