@@ -46,8 +46,8 @@ Driven driven_first(std::span<const Leg> legs) {
 double crumbs_of(const Route& route, double radius) {
   const double crumb = commands::crumb_length(radius);
   const std::vector<Segment> segments = path_of(route).segments;
-  return static_cast<double>(std::ranges::count_if(
-      segments, [&](const Segment& segment) { return std::abs(segment.length) < crumb; }));
+  const auto is_crumb = [&](const Segment& segment) { return std::abs(segment.length) < crumb; };
+  return static_cast<double>(std::count_if(segments.begin(), segments.end(), is_crumb));
 }
 
 }  // namespace
