@@ -2,7 +2,6 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "planners/rig/rig_planner.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <optional>
 

@@ -207,7 +207,12 @@ void Run::keep(const DriveShortener& drive, std::size_t task) {
   best_with_ = task;
   best_wanted_ = drive.cost();
   best_cost_ = best_wanted_ - commands::price_of_lack(*best_, min_stroke_);
-  // A drive with longer strokes may cost more than the one before.
+  note_cost();
+}
+
+/// Adds the cost of the best drive to the trace. A drive with longer strokes may cost more than the
+/// one before.
+void Run::note_cost() {
   std::erase_if(trace_, [&](const CostSample& sample) { return sample.cost <= best_cost_; });
   trace_.push_back({budget_.elapsed(), budget_.iterations(), best_cost_});
 }
@@ -268,8 +273,7 @@ void Run::take_from(const Run& stricter, std::int64_t iterations) {
   best_commands_.clear();  // the stricter run shortens it again
   best_wanted_ = stricter.best_wanted_;
   best_cost_ = stricter.best_cost_;
-  std::erase_if(trace_, [&](const CostSample& sample) { return sample.cost <= best_cost_; });
-  trace_.push_back({budget_.elapsed(), budget_.iterations(), best_cost_});
+  note_cost();
 }
 
 /// [5] Shortens the best drive again. If there is none, moves the roomiest drive away from

@@ -64,6 +64,7 @@ class Run {
   void take(std::vector<Segment> commands, std::size_t with);
   void widen(const std::vector<Segment>& commands);
   void keep(const commands::DriveShortener& drive, std::size_t task);
+  void note_cost();
   [[nodiscard]] commands::DriveShortener::Measure measure() const;
   [[nodiscard]] bool is_good_enough() const;
 
