@@ -22,6 +22,7 @@
 #include "vandplan/planner.h"
 #include "vandplan/reeds_shepp.h"
 #include "vandplan/rig.h"
+#include "vandplan/scenario_file.h"
 #include "vandplan/speed.h"
 
 namespace vandplan {
@@ -36,6 +37,27 @@ PlanOptions with_iterations(int iterations, std::uint64_t seed = 1) {
   options.cost = shortest_style;
   options.budget = {.max_iterations = iterations, .seed = seed};
   return options;
+}
+
+// The first drive has 3.5 m in reverse, and no search beside it leads to another kind.
+TEST(RigPlanning, ASecondRunFindsAnotherKindOfDrive) {
+  Scenario yard;
+  yard.vehicle = vehicle_named("car-caravan");
+  yard.bounds = {-27, 53, -51, 29};
+  yard.start = {-0.047616, 0.296107, -0.596035};
+  yard.goal = {3.238909, 0.406755, -2.996121};
+  yard.hitch_angles = {-0.549476, -0.358251};
+  yard.obstacles = {{{-6.52, 13.06}, {1.89, 5.75}, {5.14, 9.49}, {-3.27, 16.8}},
+                    {{15.53, 0.45}, {19.98, 8.33}, {17.79, 9.57}, {13.34, 1.69}}};
+  for (const std::uint64_t seed : {1, 2}) {
+    PlanOptions options = with_iterations(10000, seed);
+    options.cost = driver_style;
+    options.cost.reverse_weight = 123.2662;
+    options.steering = Steering::reeds_shepp;
+    const PlanResult result = plan(yard, options);
+    ASSERT_TRUE(result.path);
+    EXPECT_LT(result.cost, 100);
+  }
 }
 
 TEST(RigPlanning, BacksIntoADock) {
