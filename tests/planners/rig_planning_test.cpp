@@ -49,7 +49,7 @@ TEST(RigPlanning, ASecondRunFindsAnotherKindOfDrive) {
   yard.hitch_angles = {-0.549476, -0.358251};
   yard.obstacles = {{{-6.52, 13.06}, {1.89, 5.75}, {5.14, 9.49}, {-3.27, 16.8}},
                     {{15.53, 0.45}, {19.98, 8.33}, {17.79, 9.57}, {13.34, 1.69}}};
-  for (const std::uint64_t seed : {1, 2}) {
+  for (const std::uint64_t seed : {1U, 2U}) {
     PlanOptions options = with_iterations(10000, seed);
     options.cost = driver_style;
     options.cost.reverse_weight = 123.2662;
