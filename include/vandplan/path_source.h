@@ -59,8 +59,8 @@ struct NamedSource {
 };
 
 /// The default planner, with sources of paths beside its own workers. For a vehicle with a trailer
-/// it ignores them. Throws InputError naming "source NAME" if it has no `make` or its share is out
-/// of range.
+/// a path is that of the tractor. Throws InputError naming "source NAME" if it has no `make` or its
+/// share is out of range.
 [[nodiscard]] Planner with_sources(std::vector<NamedSource> sources);
 
 }  // namespace vandplan

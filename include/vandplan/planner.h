@@ -114,9 +114,9 @@ struct PlanResult {
 /// start, goal or obstacles were a little different. If a path along `path` is free, it is the
 /// first one, and the planner improves it before it looks for others.
 ///
-/// `path` is in the scenario's frame. It is ignored for a vehicle with a trailer and among moving
-/// obstacles. Throws InputError naming "segments[3]" for a segment that is not finite. The numbers
-/// of `path.start` must be finite, too; they are not checked.
+/// `path` is in the scenario's frame. It is ignored among moving obstacles. Throws InputError
+/// naming "segments[3]" for a segment that is not finite. The numbers of `path.start` must be
+/// finite, too; they are not checked.
 [[nodiscard]] Planner warm_started(const Path& path);
 
 /// The planner of that name; none if there is no such planner. For a search that is guided by an

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <memory>
 #include <numbers>
 #include <span>
 #include <vector>
@@ -51,18 +53,18 @@ Problem blocks(Pose goal) {
   return make_problem(scenario);
 }
 
-/// What of a path of the tractor alone becomes of the rig.
+/// The commands of a drive along the first path of the tractor; none if there is none.
 std::optional<std::vector<Segment>> followed(const Problem& problem) {
-  const PlanOptions options =
-      complete(default_planner(), {.budget = {.max_iterations = 20000}}, problem.vehicle());
-  search::Budget budget(options.budget);
-  return drive_behind_tractor(problem.task(), options,
-                              {.radius = 1.3 * problem.vehicle().min_turning_radius,
-                               .reverse_weight = 20,
-                               .distance = 3,
-                               .iterations = is_sanitized ? 500 : 4000,
-                               .expansions = is_sanitized ? 500 : 4000},
-                              budget);
+  const PlanOptions options = complete(default_planner(), {}, problem.vehicle());
+  const planning::Pricing pricing(problem.task(), options.cost);
+  const std::int64_t work = is_sanitized ? 500 : 4000;
+  BehindTractor source(std::make_shared<const Setting>(problem.task(), options, pricing), work, 1);
+  const search::Budget budget({});
+  for (std::int64_t done = 0; done < 2 * work;) {
+    done += source.work(2 * work - done, budget);
+    if (auto found = source.take_found()) return std::move(found->commands);
+  }
+  return std::nullopt;
 }
 
 TEST(DriveBehindTractor, LeadsARigThroughStreets) {

@@ -3,8 +3,6 @@
 #include "planners/anytime/anytime.h"
 
 #include "planners/anytime/run.h"
-#include "planners/pricing.h"
-#include "planners/rig/rig_planner.h"
 #include "vandplan/search.h"
 
 namespace vandplan::anytime {
@@ -34,7 +32,6 @@ class RunSearch final : public planning::PathSearch {
 }  // namespace
 
 PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options, const Given& given) {
-  if (task.vehicle.trailer) return rig::plan_rig(task, options, {task, options.cost});
   Run run = begin(task, options, 0.0, given);
   while (run.advance()) {
   }
@@ -43,13 +40,7 @@ PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options, const G
 
 std::unique_ptr<planning::PathSearch> drive_search(const Task& task, const PlanOptions& options,
                                                    double time_price, const Given& given) {
-  if (!task.vehicle.trailer) {
-    return std::make_unique<RunSearch>(begin(task, options, time_price, given));
-  }
-  const auto rig = [&task, time_price](const PlanOptions& round) {
-    return rig::plan_rig(task, round, {task, round.cost, time_price});
-  };
-  return planning::restarted(rig, options);
+  return std::make_unique<RunSearch>(begin(task, options, time_price, given));
 }
 
 }  // namespace vandplan::anytime

@@ -15,13 +15,13 @@
 namespace vandplan::anytime {
 
 /// Searches and shortens until the budget is spent or the path is proven optimal.
-/// Expects start and goal to be free. With a trailer `given` is ignored.
+/// Expects start and goal to be free.
 [[nodiscard]] PlannerAnswer plan_anytime(const Task& task, const PlanOptions& options,
                                          const Given& given = {});
 
 /// A search for the cheapest drive: prices of the path plus `time_price` [m] for each second. If
 /// the cost is the time, only the seconds count. Expects start and goal to be free. The task and
-/// the sources outlive the search. With a trailer `given` is ignored.
+/// the sources outlive the search.
 [[nodiscard]] std::unique_ptr<planning::PathSearch> drive_search(const Task& task,
                                                                  const PlanOptions& options,
                                                                  double time_price,

@@ -21,6 +21,7 @@
 #include "planners/anytime/shares.h"
 #include "planners/anytime/sources.h"
 #include "planners/anytime/survey.h"
+#include "planners/rig/compose_rig.h"
 #include "planners/shared_options.h"
 #include "search/far_guide.h"
 
@@ -292,7 +293,9 @@ void Composer::add_survey() {
 // [9] Adds the wall prover, which works while there is no route.
 void Composer::add_wall_prover() {
   const auto never = [](const Progress&) { return 0; };
-  Slot& slot = add("wall prover", std::make_unique<WallProver>(task_), never);
+  Slot& slot =
+      add("wall prover",
+          std::make_unique<WallProver>(std::vector<WallProver::Body>{{&task_, "vehicle"}}), never);
   slot.proofs = [first = is_far_ ? first_look_far : first_look](const Progress& now) {
     if (now.has_route || now.rounds < first) return std::int64_t{0};
     return now.rounds < first + rounds_of_early_looks ? early_looks : late_looks;
@@ -357,6 +360,23 @@ Portfolio Composer::portfolio() && {
   return std::move(portfolio_);
 }
 
+/// The portfolio of a rig: its workers find drives, not routes.
+Portfolio portfolio_of_rig(const Task& task, const PlanOptions& options, double time_price,
+                           const Given& given) {
+  auto pricing = std::make_unique<planning::Pricing>(task, options.cost, time_price);
+  const CostBound bound(task, *pricing);
+  const Finisher finisher(task, *pricing,
+                          {.stroke = options.planner.number("min_stroke"), .is_finished = true});
+  Portfolio portfolio{.pricing = std::move(pricing),
+                      .relaxed = nullptr,
+                      .bound = bound,
+                      .finisher = finisher,
+                      .slots = {},
+                      .gap = options.budget.target_gap};
+  rig::add_workers(portfolio, task, options, given);
+  return portfolio;
+}
+
 }  // namespace
 
 // The shortest word is found sooner, the cheapest word may be the optimum.
@@ -376,6 +396,7 @@ std::vector<search::Route> open_ways(const Task& task, const search::CostRule& r
 
 Portfolio compose(const Task& task, const PlanOptions& options, double time_price,
                   const Given& given) {
+  if (task.vehicle.trailer) return portfolio_of_rig(task, options, time_price, given);
   return Composer(task, options, time_price, given).portfolio();
 }
 

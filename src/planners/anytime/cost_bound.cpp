@@ -4,11 +4,25 @@
 
 #include <algorithm>
 
+#include "planners/rig/towed.h"
 #include "steering/words.h"
 
 namespace vandplan::anytime {
+namespace {
+
+constexpr double of_rig = 1e-9;  // rounding of the bound of a rig, relative
+
+}  // namespace
+
+CostBound::CostBound(const Task& task, const planning::Pricing& pricing)
+    : pricing_(pricing), ground_(open_ground(task, pricing.rule())) {
+  if (!task.vehicle.trailer) return;
+  rig_ = Rig{.judged = rig::least_cost(task, pricing),
+             .exact = rig::least_cost(task, pricing, rig::Ends::exact)};
+}
 
 double CostBound::least(const Proven& proven) const {
+  if (rig_) return rig_->judged * (1 - of_rig);
   const search::CostRule& rule = pricing_.rule();
   // Ends within the judge's tolerance make the way around obstacles shorter by at most this much.
   const double off = rule.is_length() ? 0.0 : 2 * steering::judged.position;
@@ -20,6 +34,7 @@ double CostBound::least(const Proven& proven) const {
 }
 
 bool CostBound::is_optimal(double cost, const Proven& proven) const {
+  if (rig_) return cost <= std::max(rig_->judged, rig_->exact * (1 + of_rig));
   constexpr double of_time = 1e-12;  // rounding of a time, relative
   constexpr double of_both = 1e-6;   // slack of prices plus time, relative: ends may be off as much
   if (pricing_.counts_time()) {

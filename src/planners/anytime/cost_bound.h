@@ -3,6 +3,8 @@
 #pragma once
 // Which cost can no path fall below?
 
+#include <optional>
+
 #include "planners/anytime/open_ground.h"
 #include "planners/anytime/worker.h"
 #include "planners/pricing.h"
@@ -13,8 +15,7 @@ namespace vandplan::anytime {
 class CostBound {
  public:
   /// The pricing outlives the bound.
-  CostBound(const Task& task, const planning::Pricing& pricing)
-      : pricing_(pricing), ground_(open_ground(task, pricing.rule())) {}
+  CostBound(const Task& task, const planning::Pricing& pricing);
 
   /// Lower bound of the cost of all drives, by what is proven so far [m or s].
   [[nodiscard]] double least(const Proven& proven) const;
@@ -24,8 +25,15 @@ class CostBound {
   [[nodiscard]] double shortest() const { return ground_.shortest; }
 
  private:
+  /// Lower bounds of the cost of a rig.
+  struct Rig {
+    double judged = 0.0;  // lower bound for drives that the judge accepts
+    double exact = 0.0;   // lower bound for drives with exact ends
+  };
+
   const planning::Pricing& pricing_;
   OpenGround ground_;
+  std::optional<Rig> rig_;  // none for a vehicle without a trailer
 };
 
 }  // namespace vandplan::anytime

@@ -3,6 +3,7 @@
 #pragma once
 // What is driven from the start to the goal?
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -12,10 +13,13 @@ namespace vandplan::anytime {
 
 /// Drive from the start to the goal.
 struct Drive {
-  std::vector<Segment> commands;  ///< commands of the task's wheels; empty if `segments` are set
-  std::vector<Segment> segments;  ///< segments that are driven; empty if `commands` are set
+  /// Commands of the wheels; empty if the segments follow a route.
+  std::vector<Segment> commands;
+  /// Segments that are driven; empty if only the commands are known.
+  std::vector<Segment> segments;
   std::optional<search::Route> route;  ///< route that `segments` follow, if it is known
   double cost = 0.0;                   ///< price of the drive [m], or its time [s]
+  std::size_t wheels = 0;              ///< which wheels obey `commands`; 0: those of the task
 };
 
 }  // namespace vandplan::anytime

@@ -38,13 +38,18 @@ search::Route Finisher::with_fewer_changes(const search::Route& best, double sho
 
 std::vector<Segment> Finisher::raw(const Best& best) const {
   if (best.drive == nullptr) return path_of(*best.route).segments;
-  if (best.drive->commands.empty()) return best.drive->segments;
+  if (!best.drive->segments.empty()) return best.drive->segments;
   commands::DriveShortener drive(task_, pricing_.rule(), best.drive->commands, 0);
   if (rules_.is_continuous) drive.drop_crumbs();
   return drive.segments();
 }
 
 std::optional<Drive> Finisher::drivable(const Best& best, const std::vector<Segment>& raw) const {
+  if (rules_.is_finished) {
+    if (rules_.stroke == 0.0) return std::nullopt;
+    const double cost = best.drive->cost - commands::price_of_lack(raw, rules_.stroke);
+    return Drive{.commands = {}, .segments = raw, .route = {}, .cost = cost};
+  }
   const bool is_bent = best.drive != nullptr && !best.drive->commands.empty();
   const double stroke = rules_.stroke;
   const CostRule& rule = pricing_.rule();

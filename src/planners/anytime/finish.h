@@ -25,6 +25,9 @@ struct FinishRules {
   double stroke = 0.0;         ///< least stroke that is made where there is room [m]
   bool is_continuous = false;  ///< whether the wheels need time to turn
   bool has_prices = false;     ///< whether more than the length counts
+  /// Whether the workers have finished their drives; the price of short strokes remains to be left
+  /// out.
+  bool is_finished = false;
   /// Largest relative excess of the finished drive's cost over the best drive's cost; none: no
   /// limit.
   std::optional<double> slack = {};

@@ -39,10 +39,23 @@ Proven LengthProver::proven() const {
 }
 
 std::int64_t WallProver::prove(std::int64_t steps, const search::Budget& budget) {
-  if (!enclosure_) enclosure_.emplace(task_);
-  std::int64_t done = 0;
-  while (done < steps && !budget.is_interrupted() && enclosure_->step()) ++done;  // [9]
-  return done;
+  if (enclosures_.empty()) {
+    for (const Body& body : bodies_) enclosures_.emplace_back(*body.task);
+  }
+  std::int64_t all = 0;
+  for (search::Enclosure& enclosure : enclosures_) {
+    std::int64_t done = 0;
+    while (done < steps && !budget.is_interrupted() && enclosure.step()) ++done;  // [9]
+    all += done;
+  }
+  return all;
+}
+
+Proven WallProver::proven() const {
+  for (std::size_t i = 0; i < enclosures_.size(); ++i) {
+    if (enclosures_[i].is_proven()) return {.walled_in = bodies_[i].name};
+  }
+  return {};
 }
 
 }  // namespace vandplan::anytime

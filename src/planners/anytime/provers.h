@@ -3,7 +3,11 @@
 #pragma once
 // Which workers prove a lower bound, or that there is no path?
 
+#include <deque>
 #include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "planners/anytime/worker.h"
 #include "search/enclosure.h"
@@ -36,24 +40,26 @@ class LengthProver final : public Worker {
   double best_cost_;  // least cost of all routes that the worker knows
 };
 
-/// Proves that nothing as wide as the vehicle gets from the start to the goal. It has steps but no
-/// iterations, so results of an iteration budget do not depend on it.
+/// Proves that nothing as wide as one of the bodies gets from the start to the goal. It has steps
+/// but no iterations, so results of an iteration budget do not depend on it.
 class WallProver final : public Worker {
  public:
-  /// The task outlives the worker.
-  explicit WallProver(const Task& task) : task_(task) {}
+  /// One body of the vehicle.
+  struct Body {
+    const Task* task = nullptr;  ///< task of the body alone; outlives the worker
+    std::string_view name = {};  ///< name of the body for the reason of an answer
+  };
+  explicit WallProver(std::vector<Body> bodies) : bodies_(std::move(bodies)) {}
 
   [[nodiscard]] bool has_work() const override { return false; }
   [[nodiscard]] Found work(std::int64_t, const Told&, const search::Budget&) override { return {}; }
   std::int64_t prove(std::int64_t steps, const search::Budget& budget) override;
-  [[nodiscard]] Proven proven() const override {
-    return {.is_walled_in = enclosure_ && enclosure_->is_proven()};
-  }
+  [[nodiscard]] Proven proven() const override;
   [[nodiscard]] Counts counts() const override { return {}; }
 
  private:
-  const Task& task_;
-  std::optional<search::Enclosure> enclosure_;  // none before the first step
+  std::vector<Body> bodies_;
+  std::deque<search::Enclosure> enclosures_;  // one for each body; none before the first step
 };
 
 }  // namespace vandplan::anytime

@@ -3,6 +3,8 @@
 #include "planners/anytime/run.h"
 
 #include <algorithm>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/parallel.h"
@@ -49,28 +51,33 @@ Progress Run::progress() const {
   return {.rounds = rounds_,
           .rounds_with_route = rounds_with_route_,
           .iterations = budget_.iterations(),
-          .has_route = route_.has_value(),
+          .has_route = has_path(),
           .is_settled = budget_.iterations() > 2 * noted_at_ + unsettled};
 }
 
 Told Run::told(const Slot& slot, double enough_cost) const {
   const bool may_be_enough = portfolio_.routes_are_answers && !slot.is_relaxed;
-  return {route_ ? &*route_ : nullptr, may_be_enough ? enough_cost : 0.0};
+  return {.best = route_ ? &*route_ : nullptr,
+          .drive = drive_ ? &*drive_ : nullptr,
+          .enough = may_be_enough ? enough_cost : 0.0};
 }
 
 Best Run::best() const {
-  const bool is_drive = drive_ && (!portfolio_.routes_are_answers || drive_->cost < route_->cost);
-  return {&*route_, is_drive ? &*drive_ : nullptr, is_optimal()};
+  const bool is_drive =
+      drive_ && (!route_ || !portfolio_.routes_are_answers || drive_->cost < route_->cost);
+  return {route_ ? &*route_ : nullptr, is_drive ? &*drive_ : nullptr, is_optimal()};
 }
 
 // Cost of the best answer before tidying.
 double Run::cost() const {
-  if (!portfolio_.routes_are_answers) return drive_->cost;
+  if (!portfolio_.routes_are_answers || !route_) return drive_->cost;
   return drive_ ? std::min(route_->cost, drive_->cost) : route_->cost;
 }
 
 // Cost of the best path by the prices of the searches.
-double Run::cost_of_search() const { return portfolio_.routes_are_answers ? cost() : route_->cost; }
+double Run::cost_of_search() const {
+  return portfolio_.routes_are_answers || !route_ ? cost() : route_->cost;
+}
 
 Proven Run::proven() const {
   Proven all;
@@ -78,7 +85,7 @@ Proven Run::proven() const {
     const Proven proven = slot.worker->proven();
     all.shortest = std::max(all.shortest, proven.shortest);
     all.shortest_turn = std::max(all.shortest_turn, proven.shortest_turn);
-    all.is_walled_in = all.is_walled_in || proven.is_walled_in;
+    if (all.walled_in.empty()) all.walled_in = proven.walled_in;
   }
   return all;
 }
@@ -88,12 +95,12 @@ double Run::enough() const {
   return portfolio_.gap ? (1 + *portfolio_.gap) * portfolio_.bound.least(proven()) : 0.0;
 }
 
-bool Run::is_optimal() const { return route_ && portfolio_.bound.is_optimal(cost(), proven()); }
+bool Run::is_optimal() const { return has_path() && portfolio_.bound.is_optimal(cost(), proven()); }
 
 // Whether the best path is proven to be within the gap of the optimum, even with strokes of
 // `min_stroke`.
 bool Run::is_good_enough() {
-  if (!route_ || !portfolio_.gap) return false;
+  if (!has_path() || !portfolio_.gap) return false;
   const double found = cost();
   if (found > enough()) return false;
   if (portfolio_.finisher.min_stroke() == 0.0) return true;
@@ -117,14 +124,16 @@ void Run::note(std::span<const CostSample> improvements) {
 void Run::merge(const Slot& slot, Found& found) {
   if (portfolio_.routes_are_answers || slot.phase == Phase::after) note(found.improvements);
   budget_.spend(found.iterations);
-  if (found.drive) drive_ = std::move(found.drive);
+  if (found.drive && (!drive_ || found.drive->cost <= drive_->cost)) {
+    drive_ = std::move(found.drive);
+  }
   if (found.route && (!route_ || found.route->cost < route_->cost)) {
     route_ = std::move(found.route);
   }
 }
 
 void Run::note_cost() {
-  if (!route_ || cost_of_search() >= a_good_deal * noted_cost_) return;
+  if (!has_path() || cost_of_search() >= a_good_deal * noted_cost_) return;
   noted_cost_ = cost_of_search();
   noted_at_ = budget_.iterations();
 }
@@ -137,7 +146,7 @@ void Run::merge_relaxed(Found& found) {
 
 // Lets a worker raise the bound until the gap is proven or its share is used up.
 void Run::work_before(Slot& slot) {
-  std::int64_t steps = route_ ? slot.share(progress()) : 0;
+  std::int64_t steps = has_path() ? slot.share(progress()) : 0;
   for (; steps > 0 && !is_good_enough(); --steps) {
     if (!slot.worker->has_work()) {
       const std::int64_t proofs = slot.worker->prove(slot.proofs(progress()), budget_);
@@ -166,13 +175,13 @@ void Run::work_together() {
   }
   const double enough_cost = enough();
   std::vector<Found> found(slots.size());
-  parallel_for(slots.size(), route_ ? threads_ : 1, [&](std::size_t i) {
+  parallel_for(slots.size(), has_path() ? threads_ : 1, [&](std::size_t i) {
     if (slots[i].phase == Phase::after) return;
     found[i] = slots[i].worker->work(granted[i], told(slots[i], enough_cost), budget_);
     if (proofs[i] > 0) proofs[i] = slots[i].worker->prove(proofs[i], budget_);
   });
   for (const std::int64_t made : proofs) proofs_of_round_ += made;
-  if (route_) ++rounds_with_route_;
+  if (has_path()) ++rounds_with_route_;
   for (std::size_t i = 0; i < slots.size(); ++i) {  // [8]
     if (slots[i].is_relaxed) {
       merge_relaxed(found[i]);
@@ -212,17 +221,18 @@ void Run::round() {
 // Whether a run with a route was idle for many rounds; some workers wait for later rounds. With a
 // time limit a round of proofs is not idle. Without a limit it is, as iterations would never end
 // it.
-bool Run::is_exhausted() const { return route_ && idle_rounds_ >= most_idle_rounds; }
+bool Run::is_exhausted() const { return has_path() && idle_rounds_ >= most_idle_rounds; }
 
 bool Run::advance() {
-  if (is_optimal() || is_good_enough() || proven().is_walled_in || is_exhausted()) return false;
+  if (is_optimal() || is_good_enough() || !proven().walled_in.empty() || is_exhausted())
+    return false;
   end_ = budget_.exhausted();
   if (!end_) round();
   return !end_;
 }
 
 void Run::make_drivable() {
-  if (!route_) return;
+  if (!has_path()) return;
   const Best best_found = best();
   std::vector<Segment> raw = portfolio_.finisher.raw(best_found);
   if (raw == raw_) return;  // the answer has not changed
@@ -238,12 +248,12 @@ void Run::make_drivable() {
 
 std::optional<std::vector<Segment>> Run::path() {
   make_drivable();  // [11]
-  if (!route_) return std::nullopt;
+  if (!has_path()) return std::nullopt;
   return segments_;
 }
 
 PlannerAnswer Run::answer() {
-  if (is_optimal()) {  // [10]
+  if (route_ && is_optimal()) {  // [10]
     route_ = portfolio_.finisher.with_fewer_changes(*route_, portfolio_.bound.shortest(), seed_,
                                                     budget_);
   }
@@ -265,9 +275,10 @@ PlannerAnswer Run::answer() {
     answer.status = PlanStatus::solved;
     return answer;
   }
-  if (proven().is_walled_in) {
+  if (const std::string_view body = proven().walled_in; !body.empty()) {
     answer.status = PlanStatus::no_path;
-    answer.reason = "proven: nothing as wide as the vehicle gets from the start to the goal";
+    answer.reason =
+        "proven: nothing as wide as the " + std::string(body) + " gets from the start to the goal";
     return answer;
   }
   answer.status = end_.value_or(PlanStatus::iteration_limit);  // the run has only paused

@@ -41,6 +41,7 @@ class Run {
   [[nodiscard]] Progress progress() const;
   [[nodiscard]] Told told(const Slot& slot, double enough_cost) const;
   [[nodiscard]] Best best() const;
+  [[nodiscard]] bool has_path() const { return route_ || drive_; }
   [[nodiscard]] double cost() const;
   [[nodiscard]] double cost_of_search() const;
   [[nodiscard]] Proven proven() const;

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "planners/anytime/drive.h"
@@ -32,6 +33,7 @@ struct Found {
 /// What a worker is told at the beginning of a round.
 struct Told {
   const search::Route* best = nullptr;  ///< best route of all workers; null while there is none
+  const Drive* drive = nullptr;         ///< best drive of all workers; null while there is none
   double enough = 0.0;  ///< a route of at most this cost ends the worker's round [m]
 };
 
@@ -43,8 +45,8 @@ struct Proven {
   /// Lower bound of the length of paths with exact ends, with headings [m]. Ends that are off may
   /// make a path shorter by `OpenGround::leeway`.
   double shortest_turn = 0.0;
-  /// Whether it is proven that there is no path.
-  bool is_walled_in = false;
+  /// Which body is proven not to get from the start to the goal, such as "vehicle"; empty: none.
+  std::string_view walled_in = {};
 };
 
 /// Counters of the work so far.

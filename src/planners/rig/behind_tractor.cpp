@@ -3,13 +3,17 @@
 #include "planners/rig/behind_tractor.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "planners/anytime/anytime.h"
 #include "planners/rig/exact_drive.h"
 #include "planners/rig/rig_search.h"
+#include "vandplan/random.h"
 #include "vandplan/rig.h"
 
 namespace vandplan::rig {
@@ -23,11 +27,19 @@ constexpr std::size_t most_parts = 32;      // most parts of the path that one s
 /// Share of its limit to which the hitch angle is set where the trailer would fold up.
 constexpr double fold_kept = 0.5;
 
+/// Least turning radius of the tractor on one path after the other [turning radii of the rig].
+constexpr std::array radii = {1.3, 1.05, 1.6};
+/// Prices of a metre in reverse: of the first paths, of the next ones, and so on [m].
+constexpr std::array reverse_weights = {20.0, 2.0};
+/// Clearance below which metres of a path cost more [wheelbases of the trailer].
+constexpr double roomy = 0.4;
+constexpr std::int64_t first_later_work = 128, most_later_work = 1 << 14;
+
 /// The task of the tractor without its trailer.
-Task tractor_task(const Task& task, const TractorTerms& terms) {
+Task tractor_task(const Task& task, double radius) {
   Task alone = task;
   alone.vehicle.trailer.reset();
-  alone.vehicle.min_turning_radius = std::max(terms.radius, task.vehicle.min_turning_radius);
+  alone.vehicle.min_turning_radius = std::max(radius, task.vehicle.min_turning_radius);
   alone.hitch_angles = {};
   if (task.steering != Steering::reeds_shepp) alone.steering = Steering::continuous;
   const double sharpest = 1 / alone.vehicle.min_turning_radius;
@@ -37,44 +49,37 @@ Task tractor_task(const Task& task, const TractorTerms& terms) {
   return alone;
 }
 
-std::optional<std::vector<Segment>> way_of_tractor(const Task& task, const PlanOptions& options,
-                                                   const TractorTerms& terms, Budget& budget) {
-  const Task alone = tractor_task(task, terms);
-  if (!alone.checker->is_free(alone.start) || !alone.checker->is_free(alone.goal)) return {};
-  PlanOptions how = options;
-  how.cost = driver_style;
-  how.cost.reverse_weight = terms.reverse_weight;
-  how.cost.clearance_distance = terms.distance;
-  how.cost.initial_gear = options.cost.initial_gear;
-  how.cost.gears = options.cost.gears;
-  how.budget.seed = terms.seed;
-  how.budget.target_gap.reset();
-  how.budget.max_iterations = budget.left(terms.iterations, 0);
-  if (how.budget.time_limit) *how.budget.time_limit -= budget.elapsed();
-  if (how.budget.max_iterations == 0 || (how.budget.time_limit && *how.budget.time_limit <= 0.0)) {
-    return {};
-  }
-  PlannerAnswer answer = anytime::plan_anytime(alone, how);
-  budget.spend(answer.iterations);
-  return std::move(answer.segments);
-}
+}  // namespace
 
-/// A path of the tractor, and what the trailer does behind it.
 class Follower {
  public:
   Follower(const Task& task, const search::CostRule& rule, std::span<const Segment> way);
 
-  /// A free drive of the rig. Where the rig cannot follow the path, a search replaces parts of it.
-  [[nodiscard]] std::optional<std::vector<Segment>> drive(std::int64_t expansions, Budget& budget);
+  /// Expands a state of the search that replaces a part. False when nothing is left to do.
+  bool step();
+  /// A free drive of the rig; none if none was found.
+  [[nodiscard]] std::optional<std::vector<Segment>> drive() const;
+  [[nodiscard]] std::int64_t checks() const { return checks_; }
 
  private:
   /// Parts [first, second) of the path.
   using Parts = std::pair<std::size_t, std::size_t>;
+  /// Search for a drive that replaces parts.
+  struct Replacing {
+    Replacing(Task of, const search::CostRule& rule, double unit)
+        : task(std::move(of)),
+          guides(task),
+          search(task, rule, guides, {.step = 2.2 * unit, .weight = 8, .levels = 2}) {}
+
+    Task task;
+    Guides guides;
+    RigSearch search;
+    std::int64_t left = most_of_part;  // expansions left
+  };
 
   [[nodiscard]] std::optional<Parts> next_unsolved() const;
-  [[nodiscard]] std::optional<std::vector<Segment>> search(const Parts& parts, std::int64_t& left,
-                                                           Budget& budget) const;
-  void widen(const Parts& parts, std::size_t by);
+  bool begin(const Parts& parts);
+  bool widen();
 
   const Task& task_;
   search::CostRule rule_;           // prices of the searches
@@ -84,6 +89,12 @@ class Follower {
   std::vector<double> curvatures_;  // curvatures before each part, and at the goal
   std::vector<bool> is_free_;       // whether the rig can drive each part freely
   std::map<Parts, std::vector<Segment>> solved_;  // drives that replace parts
+  std::optional<Parts> parts_;                    // parts that the search at hand replaces
+  std::unique_ptr<Replacing> replacing_;          // the search at hand; null: none
+  int widenings_ = 0;
+  std::size_t by_ = 2;  // parts on either side by which parts are widened next
+  bool is_over_ = false;
+  std::int64_t checks_ = 0;
 };
 
 Follower::Follower(const Task& task, const search::CostRule& rule, std::span<const Segment> way)
@@ -132,15 +143,9 @@ std::optional<Follower::Parts> Follower::next_unsolved() const {
   return std::nullopt;
 }
 
-void Follower::widen(const Parts& parts, std::size_t by) {
-  const std::size_t first = parts.first - std::min(parts.first, by);
-  const std::size_t last = std::min(is_free_.size(), parts.second + by);
-  for (std::size_t i = first; i < last; ++i) is_free_[i] = false;
-}
-
-/// Searches for a drive from the state before some parts to the state behind them.
-std::optional<std::vector<Segment>> Follower::search(const Parts& parts, std::int64_t& left,
-                                                     Budget& budget) const {
+// Begins a search from the state before some parts to the state behind them. False if the rig hits
+// something at one of them.
+bool Follower::begin(const Parts& parts) {
   const auto [first, last] = parts;
   Task task = task_;
   task.start = Local(states_[first].pose);
@@ -150,35 +155,48 @@ std::optional<std::vector<Segment>> Follower::search(const Parts& parts, std::in
   if (task.steering != Steering::reeds_shepp) task.steering = Steering::continuous;
   if (!task.checker->rig_is_free(Local(states_[first])) ||
       !task.checker->rig_is_free(Local(states_[last]))) {
-    return std::nullopt;
+    return false;
   }
-  const Guides guides(task);
-  RigSearch search(task, rule_, guides, {.step = 2.2 * unit_, .weight = 8, .levels = 2});
-  std::int64_t most = most_of_part;
-  for (; left > 0 && most > 0 && budget.next() && search.step(); --left, --most) {
-    const std::optional<std::vector<Segment>> found = search.take_found();
-    if (!found) continue;
-    const commands::WheelEnds ends = commands::wheel_ends(task);
-    return commands::Wheels(task.vehicle, task.steering).driven(*found, ends.before);
-  }
-  return std::nullopt;
+  replacing_ = std::make_unique<Replacing>(std::move(task), rule_, unit_);
+  return true;
 }
 
-std::optional<std::vector<Segment>> Follower::drive(std::int64_t expansions, Budget& budget) {
-  int widenings = 0;
-  std::size_t by = 2;
-  while (const std::optional<Parts> parts = next_unsolved()) {
-    if (expansions <= 0 || budget.exhausted()) return std::nullopt;
-    if (parts->second - parts->first > most_parts) return std::nullopt;
-    if (std::optional<std::vector<Segment>> found = search(*parts, expansions, budget)) {
-      solved_[*parts] = std::move(*found);
-      continue;
-    }
-    const bool is_whole = parts->second - parts->first == way_.size();
-    if (is_whole || ++widenings > most_widenings) return std::nullopt;
-    widen(*parts, by);
-    by *= 2;
+// Lets the search replace more of the path. False if that has been tried often enough.
+bool Follower::widen() {
+  const auto [begin, end] = *parts_;
+  const bool is_whole = end - begin == way_.size();
+  if (is_whole || ++widenings_ > most_widenings) return false;
+  const std::size_t first = begin - std::min(begin, by_);
+  const std::size_t last = std::min(is_free_.size(), end + by_);
+  for (std::size_t i = first; i < last; ++i) is_free_[i] = false;
+  by_ *= 2;
+  return true;
+}
+
+bool Follower::step() {
+  if (is_over_) return false;
+  if (!replacing_) {
+    parts_ = next_unsolved();
+    const bool is_solvable = parts_ && parts_->second - parts_->first <= most_parts;
+    if (!is_solvable || (!begin(*parts_) && !widen())) is_over_ = true;
+    return !is_over_;
   }
+  const bool goes_on = replacing_->search.step() && --replacing_->left > 0;
+  const std::optional<std::vector<Segment>> found = replacing_->search.take_found();
+  if (goes_on && !found) return true;
+  if (found) {
+    const commands::WheelEnds ends = commands::wheel_ends(replacing_->task);
+    const commands::Wheels wheels(task_.vehicle, replacing_->task.steering);
+    solved_[*parts_] = wheels.driven(*found, ends.before);
+  }
+  checks_ += replacing_->search.checks();
+  replacing_.reset();
+  if (!found && !widen()) is_over_ = true;
+  return !is_over_;
+}
+
+std::optional<std::vector<Segment>> Follower::drive() const {
+  if (next_unsolved()) return std::nullopt;
   std::vector<Segment> whole;
   for (std::size_t i = 0; i < way_.size(); ++i) {
     if (is_free_[i]) {
@@ -194,20 +212,81 @@ std::optional<std::vector<Segment>> Follower::drive(std::int64_t expansions, Bud
   return merged(whole);
 }
 
-}  // namespace
+BehindTractor::BehindTractor(std::shared_ptr<const Setting> setting, std::int64_t first_work,
+                             std::uint64_t seed)
+    : setting_(std::move(setting)), most_work_(first_work), seed_(seed) {}
 
-std::optional<std::vector<Segment>> drive_behind_tractor(const Task& task,
-                                                         const PlanOptions& options,
-                                                         const TractorTerms& terms,
-                                                         Budget& budget) {
-  const std::optional<std::vector<Segment>> way = way_of_tractor(task, options, terms, budget);
-  if (!way || way->empty()) return std::nullopt;
-  const search::CostRule rule =
-      search::restricted(search::cost_rule(driver_style), options.cost.gears);
-  const std::optional<std::vector<Segment>> drive =
-      Follower(task, rule, *way).drive(terms.expansions, budget);
-  if (!drive) return std::nullopt;
-  return ExactDrive(task).along(*drive);
+BehindTractor::~BehindTractor() = default;
+
+// [1] Begins to plan a path of the tractor, for other wheels or on another radius each time.
+void BehindTractor::begin(const Budget& budget) {
+  std::size_t path = paths_++;
+  if (path > 0) {
+    most_work_ = std::clamp(2 * most_work_, first_later_work, most_later_work);
+  }
+  work_left_ = most_work_;
+  const std::size_t kinds = setting_->pricing.counts_time() ? 1 : setting_->wheels.size();
+  wheels_ = path % kinds;
+  path /= kinds;
+  const Task& task = setting_->wheels[wheels_];
+  alone_ = tractor_task(task, radii[path % radii.size()] * turning_radius(task.vehicle));
+  if (!alone_->checker->is_free(alone_->start) || !alone_->checker->is_free(alone_->goal)) return;
+  options_ = setting_->options;
+  options_.cost = driver_style;
+  options_.cost.reverse_weight = reverse_weights[path / 2 % reverse_weights.size()];
+  options_.cost.clearance_distance = roomy * task.vehicle.trailer->wheelbase;
+  options_.cost.initial_gear = setting_->options.cost.initial_gear;
+  options_.cost.gears = setting_->options.cost.gears;
+  options_.budget.seed = stream_seed(seed_, paths_);
+  options_.budget.threads = 1;
+  options_.budget.target_gap.reset();
+  options_.budget.max_iterations.reset();
+  if (options_.budget.time_limit) {
+    *options_.budget.time_limit = std::max(*options_.budget.time_limit - budget.elapsed(), 0.0);
+  }
+  path_ = anytime::drive_search(*alone_, options_, 0.0);
 }
+
+// Goes on planning the path; follows it when that is over.
+std::int64_t BehindTractor::plan(std::int64_t most) {
+  const std::int64_t before = path_->iterations();
+  const bool goes_on = path_->advance(std::min(most, work_left_));
+  const std::int64_t steps = std::max<std::int64_t>(path_->iterations() - before, 1);
+  work_left_ -= steps;
+  if (goes_on && work_left_ > 0) return steps;
+  const std::optional<std::vector<Segment>> way = path_->path();
+  path_.reset();
+  if (!way || way->empty()) return steps;
+  const search::CostRule rule =
+      search::restricted(search::cost_rule(driver_style), setting_->options.cost.gears);
+  follower_ = std::make_unique<Follower>(setting_->wheels[wheels_], rule, *way);
+  work_left_ = most_work_;
+  return steps;
+}
+
+void BehindTractor::follow() {
+  if (--work_left_ > 0 && follower_->step()) return;
+  const std::optional<std::vector<Segment>> drive = follower_->drive();
+  counts_.checks += follower_->checks();
+  follower_.reset();
+  if (!drive) return;
+  auto commands = ExactDrive(setting_->wheels[wheels_]).along(*drive);
+  if (commands) found_ = Chain{*std::move(commands), wheels_};
+}
+
+std::int64_t BehindTractor::work(std::int64_t most, const Budget& budget) {
+  std::int64_t steps = 0;
+  while (steps < most && !found_ && (steps == 0 || !budget.is_interrupted())) {
+    if (path_) {
+      steps += plan(most - steps);
+      continue;
+    }
+    follower_ ? follow() : begin(budget);
+    ++steps;
+  }
+  return steps;
+}
+
+std::optional<Chain> BehindTractor::take_found() { return std::exchange(found_, std::nullopt); }
 
 }  // namespace vandplan::rig

@@ -5,32 +5,50 @@
 //
 // Method: docs/algorithms/trailers.md.
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
-#include <vector>
 
-#include "vandplan/plan_options.h"
-#include "vandplan/problem.h"
-#include "vandplan/search.h"
+#include "planners/path_search.h"
+#include "planners/rig/chain_source.h"
 
 namespace vandplan::rig {
 
-/// Settings for the path of the tractor.
-struct TractorTerms {
-  double radius = 7.0;          ///< least turning radius of the tractor [m]
-  double reverse_weight = 2.0;  ///< cost of a metre in reverse [m]
-  double distance = 1.0;        ///< clearance below which metres cost more [m]
-  std::int64_t iterations = 0;  ///< most iterations of planning the path
-  std::int64_t expansions = 0;  ///< most expansions of searches where the trailer cannot follow
-  std::uint64_t seed = 1;
-};
+/// A path of the tractor, and what the trailer does behind it.
+class Follower;
 
-/// The commands of a free drive of the rig along a path of its tractor; none if there is no such
-/// path or the trailer cannot follow. The options are complete. Work counts as iterations of the
-/// budget.
-[[nodiscard]] std::optional<std::vector<Segment>> drive_behind_tractor(const Task& task,
-                                                                       const PlanOptions& options,
-                                                                       const TractorTerms& terms,
-                                                                       search::Budget& budget);
+/// Plans paths of the tractor alone, one after the other, and follows each. Where the rig cannot
+/// follow, searches replace parts of the path.
+class BehindTractor final : public ChainSource {
+ public:
+  /// `first_work`: most iterations of planning the first path, and most expansions of following it.
+  BehindTractor(std::shared_ptr<const Setting> setting, std::int64_t first_work,
+                std::uint64_t seed);
+  ~BehindTractor() override;
+  BehindTractor(const BehindTractor&) = delete;
+
+  std::int64_t work(std::int64_t most, const search::Budget& budget) override;
+  [[nodiscard]] std::optional<Chain> take_found() override;
+  [[nodiscard]] anytime::Counts counts() const override { return counts_; }
+
+ private:
+  void begin(const search::Budget& budget);
+  std::int64_t plan(std::int64_t most);
+  void follow();
+
+  std::shared_ptr<const Setting> setting_;
+  std::int64_t most_work_;
+  std::uint64_t seed_;
+  std::size_t paths_ = 0;                       // paths begun so far
+  std::size_t wheels_ = 0;                      // index of the wheels that follow the path at hand
+  std::int64_t work_left_ = 0;                  // work left for the path, or for following it
+  std::optional<Task> alone_;                   // task of the tractor
+  PlanOptions options_;                         // options of the path at hand
+  std::unique_ptr<planning::PathSearch> path_;  // plans the path; null while none is planned
+  std::unique_ptr<Follower> follower_;          // follows the path; null while none is followed
+  std::optional<Chain> found_;
+  anytime::Counts counts_;
+};
 
 }  // namespace vandplan::rig

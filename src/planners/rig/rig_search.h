@@ -71,8 +71,8 @@ class RigSearch {
 
   [[nodiscard]] std::int64_t nodes() const;
   [[nodiscard]] std::int64_t checks() const { return checks_; }
-  [[nodiscard]] std::int64_t closings() const { return closings_; }
-  [[nodiscard]] std::int64_t bridges() const { return bridges_; }
+  /// Drives that were closed, and states that were steered to.
+  [[nodiscard]] std::int64_t solves() const { return closings_ + bridges_; }
 
  private:
   /// State that was reached, with its command from the parent.

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/rig/compose_rig.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "planners/anytime/provers.h"
+#include "planners/anytime/shares.h"
+#include "planners/rig/behind_tractor.h"
+#include "planners/rig/proposed.h"
+#include "planners/rig/rig_workers.h"
+#include "planners/rig/searches.h"
+#include "vandplan/random.h"
+
+namespace vandplan::rig {
+namespace {
+
+using anytime::Progress, anytime::Share;
+
+/// Searches for open ways and for narrow ones.
+constexpr std::array<Kind, 3> quick_kinds = {
+    {{3, 8, 1, 32, 1, 0}, {2.2, 8, 2, 32, 1, 1}, {1.5, 8, 4, 32, 1, 2}}};
+/// Searches with small steps, which look for good drives rather than for the next one.
+constexpr std::array<Kind, 1> careful_kinds = {{{1, 1.7, 1, 32, 1, 3}}};
+/// Searches that hardly reverse while there is no drive.
+constexpr std::array<Kind, 1> forward_kinds = {{{3, 8, 1, 32, 3, 4}}};
+
+/// Streams of random numbers, one for each worker.
+enum Stream : std::uint64_t {
+  of_quick,
+  of_careful,
+  of_forward,
+  of_tractor,
+  of_best,
+  of_bare,
+  of_proposals
+};
+
+/// Iterations of a worker in a round: while there is no drive, and with one. Rounds grow.
+struct Turns {
+  std::int64_t until_drive;
+  std::int64_t with_drive;
+};
+constexpr Turns quick_turns{48, 96}, careful_turns{48, 96}, forward_turns{16, 32};
+constexpr Turns tractor_turns{16, 96}, bare_turns{128, 0};
+constexpr Turns best_turns{0, 192};
+
+/// Doublings of a round while there is no drive.
+constexpr std::int64_t most_doublings = 5;
+/// Distance of start and goal that is far [turning radii of the rig]. The searches take long there.
+constexpr double far_apart = 12;
+/// Work of the first path of the tractor over a far way.
+constexpr std::int64_t work_of_far_way = 400;
+/// Steps of proving in the first round that nothing as wide as a body gets to the goal, and
+/// doublings of them.
+constexpr std::int64_t steps_of_proof = 128, most_doublings_of_proof = 7;
+
+Share share(const Turns& turns, std::int64_t first_round) {
+  return [turns, first_round](const Progress& now) {
+    if (now.has_route) return anytime::growing_share(turns.with_drive, now.rounds_with_route);
+    if (now.rounds < first_round) return std::int64_t{0};
+    return turns.until_drive << std::min(now.rounds - first_round, most_doublings);
+  };
+}
+
+bool is_far(const Task& task) {
+  const double apart = std::hypot(task.goal.x - task.start.x, task.goal.y - task.start.y);
+  return apart > far_apart * turning_radius(task.vehicle);
+}
+
+/// The drive along a known path; none if that is not free.
+std::optional<anytime::Drive> drive_along(const Setting& setting, const Path& known) {
+  auto commands = ExactDrive(setting.task).along(known.segments);
+  if (!commands) return std::nullopt;
+  return Improver(setting, {*std::move(commands), 0}, 0).drive();
+}
+
+}  // namespace
+
+void add_workers(anytime::Portfolio& portfolio, const Task& task, const PlanOptions& options,
+                 const anytime::Given& given) {
+  const auto setting = std::make_shared<const Setting>(task, options, *portfolio.pricing);
+  const auto seed = [&options](std::uint64_t stream) {
+    return stream_seed(options.budget.seed, stream);
+  };
+  const auto add = [&portfolio](std::string_view name, std::unique_ptr<anytime::Worker> worker,
+                                Share iterations) {
+    portfolio.slots.push_back(
+        {.name = name, .worker = std::move(worker), .share = std::move(iterations)});
+  };
+  const auto seek = [&](std::string_view name, std::unique_ptr<ChainSource> source, Stream stream,
+                        Share iterations) {
+    add(name, std::make_unique<ChainSeeker>(setting, std::move(source), seed(stream)),
+        std::move(iterations));
+  };
+  const bool begins_far = is_far(task);
+  const std::int64_t first_search = begins_far ? 1 : 0;
+  std::vector<const Task*> tasks;  // with other wheels, too, if time counts
+  for (const Task& with : setting->wheels) {
+    if (tasks.empty() || portfolio.pricing->counts_time()) tasks.push_back(&with);
+  }
+  const auto searches = [&](std::span<const Kind> kinds) {
+    return std::make_unique<Searches>(setting, kinds, tasks);
+  };
+  const std::int64_t first_work = begins_far ? work_of_far_way : 128;
+  const Share of_path = share(tractor_turns, 0);
+  Share behind = [begins_far, of_path](const Progress& now) {
+    const bool is_first = begins_far && now.rounds == 0 && !now.has_route;
+    return is_first ? 2 * work_of_far_way : of_path(now);
+  };
+  if (given.known != nullptr) portfolio.drive = drive_along(*setting, *given.known);
+  seek("quick searches", searches(quick_kinds), of_quick, share(quick_turns, first_search));
+  seek("careful searches", searches(careful_kinds), of_careful, share(careful_turns, first_search));
+  seek("forward searches", searches(forward_kinds), of_forward, share(forward_turns, first_search));
+  if (setting->bare) {
+    seek("searches without margin", std::make_unique<BareSearches>(setting, seed(of_bare)), of_bare,
+         share(bare_turns, first_search));
+  }
+  seek("behind the tractor",
+       std::make_unique<BehindTractor>(setting, first_work, stream_seed(seed(of_tractor), 0)),
+       of_tractor, std::move(behind));
+  add("best", std::make_unique<BestImprover>(setting, seed(of_best)), share(best_turns, 0));
+  for (std::size_t i = 0; i < given.sources.size(); ++i) {
+    const NamedSource& source = given.sources[i];
+    add(source.name,
+        std::make_unique<ChainSeeker>(
+            setting, std::make_unique<Proposed>(setting, source.make(task, setting->options)),
+            stream_seed(seed(of_proposals), i)),
+        [turn = source.share](const Progress& now) {
+          return now.has_route ? anytime::growing_share(turn, now.rounds_with_route) : turn;
+        });
+  }
+  add("wall prover",
+      std::make_unique<anytime::WallProver>(std::vector<anytime::WallProver::Body>{
+          {&setting->task, "vehicle"}, {&setting->towed, "trailer"}}),
+      [](const Progress&) { return 0; });
+  portfolio.slots.back().proofs = [](const Progress& now) {
+    return now.has_route ? 0 : steps_of_proof << std::min(now.rounds, most_doublings_of_proof);
+  };
+}
+
+}  // namespace vandplan::rig

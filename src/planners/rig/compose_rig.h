@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Which workers does the task of a rig need?
+
+#include "planners/anytime/compose.h"
+
+namespace vandplan::rig {
+
+/// The portfolio of a task with a trailer, as `anytime::compose` makes that of others. Adds to
+/// `portfolio`, which has the pricing of the run and no slots.
+void add_workers(anytime::Portfolio& portfolio, const Task& task, const PlanOptions& options,
+                 const anytime::Given& given);
+
+}  // namespace vandplan::rig

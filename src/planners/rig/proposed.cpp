@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/rig/proposed.h"
+
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "path/finite.h"
+#include "vandplan/input_error.h"
+
+namespace vandplan::rig {
+
+Proposed::Proposed(std::shared_ptr<const Setting> setting, std::unique_ptr<PathSource> paths)
+    : setting_(std::move(setting)),
+      exact_(setting_->task),
+      paths_(std::move(paths)),
+      told_cost_(std::numeric_limits<double>::infinity()) {
+  if (!paths_) throw InputError("sources", "expected a source of paths, nothing was made");
+}
+
+std::int64_t Proposed::work(std::int64_t /*most*/, const search::Budget& /*budget*/) {
+  const std::optional<LocalPath> proposed = paths_->propose();
+  if (!proposed) return 1;
+  path::check_finite({proposed->start, proposed->segments});
+  if (auto commands = exact_.along(proposed->segments)) found_ = Chain{*std::move(commands), 0};
+  return 1;
+}
+
+std::optional<Chain> Proposed::take_found() { return std::exchange(found_, std::nullopt); }
+
+void Proposed::hear(const anytime::Drive& best) {
+  if (best.cost >= told_cost_) return;
+  told_cost_ = best.cost;
+  paths_->hear({setting_->task.start, best.segments}, best.cost);
+}
+
+}  // namespace vandplan::rig

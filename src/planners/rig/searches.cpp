@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/rig/searches.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "planners/rig/room_for_margin.h"
+#include "vandplan/random.h"
+
+namespace vandplan::rig {
+
+using search::CostRule;
+
+namespace {
+
+/// A route may cost so many times the best drive, if time counts.
+constexpr double worth_a_trial = 1.3;
+/// A search has a step that is so many times the step of the one before, for some searches.
+constexpr double finer = 0.7;
+constexpr std::size_t finer_rounds = 6;  // searches until the first step comes again
+constexpr std::size_t most_rounds = 16;  // searches after which they grow no more
+constexpr double first_nodes = 40000.0;  // nodes at which the first search of a line ends
+
+/// Settings of the searches without the margin.
+constexpr std::array<Kind, 2> bare_kinds = {{{2.2, 8, 2, 128, 1, 0}, {1.5, 8, 4, 128, 1, 0}}};
+/// Expansions until the roomiest drive is moved again.
+constexpr std::int64_t expansions_until_another_try = 1024;
+
+/// A driver's prices, whatever the prices in force.
+CostOptions helpful_prices(const CostOptions& cost) {
+  CostOptions options = driver_style;
+  options.initial_gear = cost.initial_gear;
+  options.gears = cost.gears;
+  return options;
+}
+
+/// Prices that lead to other kinds of drive: they hardly reverse.
+CostOptions forward_prices(const CostOptions& cost) {
+  CostOptions options = helpful_prices(cost);
+  options.reverse_weight = 1000.0;
+  options.gear_change_cost = 100.0;
+  return options;
+}
+
+}  // namespace
+
+Searches::Searches(std::shared_ptr<const Setting> setting, std::span<const Kind> kinds,
+                   std::vector<const Task*> tasks)
+    : setting_(std::move(setting)),
+      rules_{setting_->pricing.rule(), search::cost_rule(helpful_prices(setting_->options.cost)),
+             setting_->pricing.rule(), search::cost_rule(forward_prices(setting_->options.cost))},
+      tasks_(std::move(tasks)) {
+  for (const Kind& kind : kinds) lines_.push_back({.kind = kind});
+}
+
+// Begins a search in place of one that has ended or found a drive. It is finer each time. Until one
+// of the lines has found a drive they have helpful prices, so that they find drives of other kinds
+// than other workers do. Then they have all prices in turn.
+void Searches::begin(Line& line) {
+  const std::size_t round = line.round++, shift = round + line.kind.first_turn;
+  const std::size_t later = setting_->pricing.counts_time() ? 0 : shift % rules_.size();
+  const std::size_t rule = has_found_ ? later : line.kind.first_price;
+  line.task = has_found_ ? shift % tasks_.size() : 0;
+  line.has_prices_in_force = rule % 2 == 0;
+  const std::size_t grown = std::min(round, most_rounds);
+  const double step = line.kind.step * std::pow(finer, grown % finer_rounds);
+  line.search.emplace(
+      *tasks_[line.task], rules_[rule], setting_->guides,
+      Fineness{.step = setting_->unit * step,
+               .weight = round % 2 == 0 ? line.kind.weight : 1 + line.kind.weight / 4,
+               .levels = line.kind.levels,
+               .most_nodes = static_cast<std::size_t>(
+                   first_nodes * std::exp2(0.5 * static_cast<double>(grown)))});
+  if (line.has_prices_in_force) line.search->set_cutoff(cutoff_);
+}
+
+void Searches::end(Line& line) {
+  former_.checks += line.search->checks();
+  former_.solves += line.search->solves();
+  line.search.reset();
+}
+
+// [2] Expands states, line by line.
+std::int64_t Searches::work(std::int64_t most, const search::Budget& budget) {
+  std::int64_t steps = 0;
+  while (steps < most && !found_ && (steps == 0 || !budget.is_interrupted())) {
+    Line& line = lines_[turn_];
+    if (!line.search) begin(line);
+    const bool goes_on = line.search->step();
+    ++steps;
+    std::optional<std::vector<Segment>> commands = line.search->take_found();
+    if (!goes_on || commands) end(line);
+    if (commands) {
+      has_found_ = true;
+      found_ = Chain{*std::move(commands), line.task};
+    }
+    if (++done_ < line.kind.share) continue;
+    done_ = 0;
+    turn_ = (turn_ + 1) % lines_.size();
+  }
+  return steps;
+}
+
+std::optional<Chain> Searches::take_found() { return std::exchange(found_, std::nullopt); }
+
+void Searches::hear(const anytime::Drive& best) {
+  cutoff_ = best.cost;
+  if (setting_->pricing.counts_time()) {
+    const CostRule& rule = setting_->pricing.rule();
+    search::Driven driven = rule.initial_gear;
+    cutoff_ = worth_a_trial * search::drive_cost(rule, best.segments, driven);
+  }
+  for (Line& line : lines_) {
+    if (line.search && line.has_prices_in_force) line.search->set_cutoff(cutoff_);
+  }
+}
+
+anytime::Counts Searches::counts() const {
+  anytime::Counts counts = former_;
+  for (const Line& line : lines_) {
+    if (!line.search) continue;
+    counts.checks += line.search->checks();
+    counts.solves += line.search->solves();
+    counts.nodes += line.search->nodes();
+  }
+  return counts;
+}
+
+BareSearches::BareSearches(std::shared_ptr<const Setting> setting, std::uint64_t seed)
+    : setting_(setting),
+      searches_(setting, bare_kinds, {&*setting->bare}),
+      rule_(rule_of_room(setting->options.clearance.margin)),
+      seed_(seed) {}
+
+void BareSearches::begin(std::span<const Segment> commands) {
+  if (widened_) checks_ += widened_->checks();
+  widened_.emplace(*setting_->bare, rule_, commands, stream_seed(seed_, begun_++));
+}
+
+// [2] Moves the drive away from obstacles by one trial.
+void BareSearches::widen() {
+  if (widened_->step()) {
+    std::optional<std::vector<Segment>> commands =
+        commands::obeyed(setting_->task, widened_->commands());
+    if (commands) found_ = Chain{*std::move(commands), 0};
+  }
+  if (!found_ && !widened_->is_stalled()) return;
+  if (!found_ && (roomiest_.empty() || widened_->cost() < lack_)) {
+    roomiest_ = widened_->commands();
+    lack_ = widened_->cost();
+  }
+  checks_ += widened_->checks();
+  widened_.reset();
+  searched_ = 0;
+}
+
+std::int64_t BareSearches::work(std::int64_t most, const search::Budget& budget) {
+  if (!widened_ && !roomiest_.empty() && searched_ >= expansions_until_another_try) {
+    begin(roomiest_);
+  }
+  if (!widened_) {
+    const std::int64_t steps = searches_.work(most, budget);
+    searched_ += steps;
+    if (const std::optional<Chain> chain = searches_.take_found()) begin(chain->commands);
+    return steps;
+  }
+  std::int64_t steps = 0;
+  for (; steps < most && widened_ && (steps == 0 || !budget.is_interrupted()); ++steps) widen();
+  return steps;
+}
+
+std::optional<Chain> BareSearches::take_found() { return std::exchange(found_, std::nullopt); }
+
+anytime::Counts BareSearches::counts() const {
+  anytime::Counts counts = searches_.counts();
+  counts.checks += checks_ + (widened_ ? widened_->checks() : 0);
+  return counts;
+}
+
+}  // namespace vandplan::rig

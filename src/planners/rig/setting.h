@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// What do all workers for one rig share?
+
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "planners/commands/shorten_drive.h"
+#include "planners/pricing.h"
+#include "planners/rig/rig_search.h"
+#include "vandplan/plan_options.h"
+
+namespace vandplan::rig {
+
+/// Task, prices, and wheels of one rig. Nothing in it changes while workers work.
+struct Setting {
+  /// Task and pricing outlive the setting.
+  Setting(const Task& of, const PlanOptions& with, const planning::Pricing& prices);
+
+  /// Measure by which drives are compared; none where the cost is a sum over segments. A metre that
+  /// strokes are too short costs more than any detour.
+  [[nodiscard]] commands::DriveShortener::Measure measure() const;
+
+  const Task& task;
+  PlanOptions options;
+  const planning::Pricing& pricing;
+  /// The task, and copies with other wheels whose drives the task allows, too. If time counts, the
+  /// copies have softer and softer wheels. With prices of arcs and lines, the copy turns its wheels
+  /// at stops.
+  std::deque<Task> wheels;
+  std::optional<Task> bare;  ///< task without its margin; none without a margin
+  Task towed;                ///< task of the trailer alone
+  Guides guides;
+  double unit;        ///< unit of the steps of a search [m]
+  double min_stroke;  ///< least stroke that is asked for [m]
+};
+
+/// A chain of commands from the start to the goal.
+struct Chain {
+  std::vector<Segment> commands;
+  std::size_t wheels = 0;  ///< index of the wheels that obey the commands
+};
+
+}  // namespace vandplan::rig
