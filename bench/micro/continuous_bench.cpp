@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "steering/continuous_wanted.h"
+#include "steering/continuous/priced_pieces.h"
 #include "support/pose_pairs.h"
 #include "vandplan/continuous_steering.h"
 #include "vandplan/reeds_shepp.h"
@@ -54,12 +54,12 @@ void BM_words(benchmark::State& state) {
   for (const DrawnPair& p : pairs) longest.push_back(2 * reeds_shepp_length(p.from, p.to, radius));
   const double ramp = static_cast<double>(state.range(1)) / 100;
   const ContinuousSteering steering(radius, 1 / (radius * ramp), Continuity::between_stops);
-  const std::array ends{steering::WantedEnds{}};
+  const std::array ends{steering::continuous::PieceEnds{}};
   std::size_t i = 0;
   for (auto _ : state) {
     const std::size_t n = i++ % pairs.size();
     double least = longest[n];
-    steering::for_wanted_words(
+    steering::continuous::for_priced_pieces(
         steering, pairs[n].from, pairs[n].to, ends, {static_cast<int>(state.range(2)), least},
         [&](const Piece& word, std::size_t) { return least = std::min(least, word.length); });
     benchmark::DoNotOptimize(least);

@@ -46,7 +46,7 @@ inline constexpr struct {
 
 /// Short paths on open ground in either gear. Everywhere |curvature| is at most 1/radius, and its
 /// change per metre at most curvature_rate. Between any two poses there is such a path. It is the
-/// least path of the families that the document names, and no shorter than `reeds_shepp_length`.
+/// shortest word that the search finds, and no shorter than `reeds_shepp_length`.
 ///
 /// Poses of a call share one frame. A small value: make it once, call it often, from any thread.
 class ContinuousSteering {
@@ -55,13 +55,13 @@ class ContinuousSteering {
   /// "curvature_rate" unless it is finite, > 0 [1/m^2] and within `supported_sharpness`.
   ContinuousSteering(double radius, double curvature_rate, Continuity continuity);
 
-  /// The least path. It begins and ends with straight wheels or, with `between_stops`, with any
-  /// curvature. Throws InputError naming "from" or "to" if the pose is not finite.
+  /// The shortest path found. It begins and ends with straight wheels or, with `between_stops`,
+  /// with any curvature. Throws InputError naming "from" or "to" if the pose is not finite.
   [[nodiscard]] Piece steer(const Pose& from, const Pose& to) const;
 
-  /// The least path; none if it is longer than the cutoff. Throws InputError naming "from" or "to"
-  /// if the pose is not finite, "start_curvature" or "goal_curvature" if it is beyond 1/radius, or
-  /// "cutoff" if it is NaN.
+  /// The shortest path found; none if it is longer than the cutoff. Throws InputError naming "from"
+  /// or "to" if the pose is not finite, "start_curvature" or "goal_curvature" if it is beyond
+  /// 1/radius, or "cutoff" if it is NaN.
   [[nodiscard]] std::optional<Piece> steer(const Pose& from, const Pose& to,
                                            const ContinuousQuery& query) const;
 
@@ -71,7 +71,7 @@ class ContinuousSteering {
   /// Length of `steer(from, to, query)`, bit for bit [m]; infinite if it is longer than the cutoff.
   [[nodiscard]] double length(const Pose& from, const Pose& to, const ContinuousQuery& query) const;
 
-  /// All paths of the families up to the cutoff, in no order. Throws InputError as `steer` does.
+  /// All paths by these words up to the cutoff, in no order. Throws InputError as `steer` does.
   [[nodiscard]] std::vector<Piece> candidates(const Pose& from, const Pose& to,
                                               const ContinuousQuery& query) const;
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "steering/continuous_wanted.h"
+#include "steering/continuous/priced_pieces.h"
 #include "steering/words.h"
 #include "vandplan/dubins.h"
 #include "vandplan/input_error.h"
@@ -174,7 +174,7 @@ std::optional<Piece> Connector::continuous_piece(const LocalPose& from, const Lo
   };
   const GearSign only = rule_.only_gear();
   const auto gear_at = [&](const End& end) { return only == 0 ? end.gear : only; };
-  std::vector<steering::WantedEnds> ends;
+  std::vector<steering::continuous::PieceEnds> ends;
   for (const End& start : starts_) {
     for (const End& goal : goals_) {
       const ContinuousQuery query{start.curvature, goal.curvature, least, start.stands,
@@ -194,18 +194,18 @@ std::optional<Piece> Connector::continuous_piece(const LocalPose& from, const Lo
   // Each further gear change has to be worth its price.
   for (const int changes : changes_of(rule_)) {
     if (shortest + changes * rule_.gear_change_cost >= least) break;
-    const steering::WantedContinuous wanted{changes,
-                                            least,
-                                            rule_.weight(only == 0 ? 1 : only),
-                                            rule_.weight(only == 0 ? -1 : only),
-                                            rule_.gear_change_cost,
-                                            gears.before.gear,
-                                            gears.after.gear};
-    steering::for_wanted_words(*continuous_, from, to, ends, wanted,
-                               [&](const Piece& piece, std::size_t i) {
-                                 consider(piece, starts_[i / count], goals_[i % count]);
-                                 return least;
-                               });
+    const steering::continuous::PieceRequest request{changes,
+                                                     least,
+                                                     rule_.weight(only == 0 ? 1 : only),
+                                                     rule_.weight(only == 0 ? -1 : only),
+                                                     rule_.gear_change_cost,
+                                                     gears.before.gear,
+                                                     gears.after.gear};
+    steering::continuous::for_priced_pieces(
+        *continuous_, from, to, ends, request, [&](const Piece& piece, std::size_t i) {
+          consider(piece, starts_[i / count], goals_[i % count]);
+          return least;
+        });
   }
   return best;
 }

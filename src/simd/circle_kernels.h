@@ -3,17 +3,17 @@
 #pragma once
 // Which angles do the turns of many words have by their circles, and about how long are the words?
 //
-// Plain C++, numbers only. The specification is `looks::near_word` of continuous steering, where
-// the curvature never jumps (steering/continuous_looks.h): every vector target gives its bits.
+// Plain C++, numbers only. The specification is `estimated_word` of continuous steering, where
+// the curvature never jumps (steering/continuous/estimates.h): every vector target gives its bits.
 
 #include <array>
 #include <cstddef>
 
 namespace vandplan::simd {
 
-/// Numbers of `bounds::Small` for a small turn (steering/continuous_bounds.h).
+/// Numbers of `SmallTurn` of continuous steering (steering/continuous/estimates.h).
 struct SmallTurn {
-  double least, lack, growth, most;
+  double min_angle, lack, growth, max_lack;
 };
 
 /// What all words of a formula share.
@@ -36,13 +36,14 @@ inline constexpr std::size_t circle_formulas = 9;
 
 /// Words of one formula that one call works out.
 struct CircleWords {
-  static constexpr std::size_t most = 36;
-  static constexpr std::size_t room = most + 4;  ///< room to fill the last vector, too
-  using Numbers = std::array<double, room>;
+  static constexpr std::size_t capacity = 36;
+  static constexpr std::size_t padded = capacity + 4;  ///< enough to fill the last vector, too
+  using Numbers = std::array<double, padded>;
 
   std::size_t count = 0;
-  Numbers x, y, sin, cos;       ///< frames of the words, with sine and cosine of half the turn
-  Numbers low_first, low_last;  ///< how far below 0 first and last angles may be (sines), at most 1
+  Numbers x, y, sin, cos;  ///< frames of the words, with sine and cosine of half the turn
+  Numbers slack_first,
+      slack_last;  ///< how far below 0 first and last angles may be (sines), at most 1
   /// Result: angles of the turns [rad] and length of the line [turning radii], negative ones, too.
   Numbers first, inner, line, last;
   Numbers length;  ///< result: estimated length; infinite where there is no word

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// The words of steering/continuous_circles.h in vectors of double, where the curvature never jumps:
-// the same operations in the same order, so the same bits. Where the scalar code branches, lanes
-// are chosen.
+// The words of steering/continuous/circle_word.h in vectors of double, where the curvature never
+// jumps: the same operations in the same order, so the same bits. Where the scalar code branches,
+// lanes are chosen.
 
 #include <array>
 #include <cstddef>
@@ -47,40 +47,40 @@ HWY_INLINE V at_least_zero(V value) {
 HWY_INLINE V root(V value) { return hn::Sqrt(at_least_zero(value)); }
 
 /// Complex numbers whose arguments are angles.
-struct Arrow {
+struct Complex {
   V re, im;
 };
-HWY_INLINE Arrow operator*(Arrow a, Arrow b) {
+HWY_INLINE Complex operator*(Complex a, Complex b) {
   return {hn::Sub(hn::Mul(a.re, b.re), hn::Mul(a.im, b.im)),
           hn::Add(hn::Mul(a.re, b.im), hn::Mul(a.im, b.re))};
 }
-HWY_INLINE Arrow arrow(double re, double im) { return {set(re), set(im)}; }
-HWY_INLINE Arrow opposite(Arrow a) { return {a.re, hn::Neg(a.im)}; }
-VANDPLAN_PART V angle(Arrow a) { return Angles<V>::atan_2(a.im, a.re); }
-HWY_INLINE V squared(Arrow a) { return hn::Add(hn::Mul(a.re, a.re), hn::Mul(a.im, a.im)); }
+HWY_INLINE Complex complex(double re, double im) { return {set(re), set(im)}; }
+HWY_INLINE Complex opposite(Complex a) { return {a.re, hn::Neg(a.im)}; }
+VANDPLAN_PART V angle(Complex a) { return Angles<V>::atan_2(a.im, a.re); }
+HWY_INLINE V squared(Complex a) { return hn::Add(hn::Mul(a.re, a.re), hn::Mul(a.im, a.im)); }
 
 /// Words by their circles.
 struct Words {
-  Arrow first, last, inner;
+  Complex first, last, inner;
   V line;
-  Which exact;
+  Which exists;
 };
 
 /// Frames of words, and vectors from the centres of their first circles to those of their last.
 struct Between {
-  Arrow a, v;
+  Complex a, v;
   V squared;
 };
 
 HWY_INLINE Between between(const CircleWords& words, std::size_t i, const CircleFormula& f,
                            const CircleTurns& t) {
   const D d;
-  const Arrow a{hn::LoadU(d, &words.cos[i]), hn::LoadU(d, &words.sin[i])};
+  const Complex a{hn::LoadU(d, &words.cos[i]), hn::LoadU(d, &words.sin[i])};
   const double b0 = f.first_gear * t.ahead, b1 = f.last_gear * t.ahead;
   const double a0 = f.first_turn * t.aside, a1 = f.last_turn * t.aside;
   const V x = hn::LoadU(d, &words.x[i]), y = hn::LoadU(d, &words.y[i]);
-  Arrow v{hn::Sub(hn::Sub(x, hn::Mul(set(b0 + b1), a.re)), hn::Mul(set(a0 + a1), a.im)),
-          hn::Add(hn::Add(y, hn::Mul(set(b0 - b1), a.im)), hn::Mul(set(a1 - a0), a.re))};
+  Complex v{hn::Sub(hn::Sub(x, hn::Mul(set(b0 + b1), a.re)), hn::Mul(set(a0 + a1), a.im)),
+            hn::Add(hn::Add(y, hn::Mul(set(b0 - b1), a.im)), hn::Mul(set(a1 - a0), a.re))};
   const V square = squared(v);
   const Which none = hn::Lt(square, set(1e-60));
   v = {hn::IfThenElse(none, set(1e-30), v.re), hn::IfThenZeroElse(none, v.im)};
@@ -89,8 +89,8 @@ HWY_INLINE Between between(const CircleWords& words, std::size_t i, const Circle
 
 /// The inner turn and the heading at the change of gear, from the triangle of the centres.
 struct Triangle {
-  Arrow inner, heading;
-  Which exact;
+  Complex inner, heading;
+  Which exists;
 };
 
 HWY_INLINE Triangle triangle(const Between& b, const CircleTurns& t, double n) {
@@ -101,8 +101,8 @@ HWY_INLINE Triangle triangle(const Between& b, const CircleTurns& t, double n) {
   const V product = hn::Mul(hn::Mul(hn::Sub(set(p + q), d), hn::Add(set(p + q), d)),
                             hn::Sub(hn::Add(d, set(q)), set(p)));
   const V sin = hn::Div(root(hn::Mul(product, hn::Add(hn::Sub(d, set(q)), set(p)))), sides);
-  const Arrow side{hn::Sub(set(p), hn::Mul(set(q), cos)), hn::Mul(set(q), sin)};
-  return {{cos, sin}, arrow(0, -1) * b.v * side, hn::Le(hn::Abs(cos), set(1))};
+  const Complex side{hn::Sub(set(p), hn::Mul(set(q), cos)), hn::Mul(set(q), sin)};
+  return {{cos, sin}, complex(0, -1) * b.v * side, hn::Le(hn::Abs(cos), set(1))};
 }
 
 // Formulas in the order of reeds_shepp_formulas::Formula.
@@ -112,54 +112,54 @@ constexpr bool has_line(std::size_t formula) { return formula < l_r_l || formula
 
 template <std::size_t formula>
 VANDPLAN_PART Words with_line(const Between& b, const CircleTurns& t) {
-  const Arrow &a = b.a, &v = b.v;
-  const Arrow left = arrow(0, 1);
+  const Complex &a = b.a, &v = b.v;
+  const Complex left = complex(0, 1);
   const V across = set(2 * t.aside);
   const V gap = hn::Sub(b.squared, hn::Mul(across, across));
   const V clothoids = set(2 * t.ahead);
   const Which always = hn::Eq(across, across);
   if constexpr (formula == lsl) {
-    return {v * a, opposite(v) * a, arrow(1, 0), hn::Sub(hn::Sqrt(b.squared), clothoids), always};
+    return {v * a, opposite(v) * a, complex(1, 0), hn::Sub(hn::Sqrt(b.squared), clothoids), always};
   } else if constexpr (formula == lsr) {
-    const Arrow h = v * Arrow{root(gap), across};
-    return {h * a, h * opposite(a), arrow(1, 0), hn::Sub(root(gap), clothoids),
+    const Complex h = v * Complex{root(gap), across};
+    return {h * a, h * opposite(a), complex(1, 0), hn::Sub(root(gap), clothoids),
             hn::Ge(gap, hn::Zero(D()))};
   } else if constexpr (formula == r_lsl) {
-    const Arrow h = arrow(0, -1) * v;
+    const Complex h = complex(0, -1) * v;
     const V line = hn::Sub(hn::Sub(hn::Sqrt(b.squared), across), clothoids);
-    return {h * a, opposite(left * h) * a, arrow(1, 0), line, always};
+    return {h * a, opposite(left * h) * a, complex(1, 0), line, always};
   } else {
     constexpr bool ends_left = formula == r_lsr_l;
-    const Arrow h = v * Arrow{across, hn::Neg(root(gap))};
+    const Complex h = v * Complex{across, hn::Neg(root(gap))};
     const V stops = set((ends_left ? 4 : 2) * t.aside);
     const V line = hn::Sub(hn::Sub(root(gap), stops), clothoids);
-    return {h * a, (ends_left ? h : left * h) * opposite(a), arrow(1, 0), line,
+    return {h * a, (ends_left ? h : left * h) * opposite(a), complex(1, 0), line,
             hn::Ge(gap, hn::Zero(D()))};
   }
 }
 
 template <std::size_t formula>
 VANDPLAN_PART Words of_arcs(const Between& b, const CircleTurns& t) {
-  const Arrow &a = b.a, &v = b.v;
+  const Complex &a = b.a, &v = b.v;
   const V no_line = hn::Zero(D());
-  const Arrow skew = arrow(t.aside, -t.ahead);
+  const Complex skew = complex(t.aside, -t.ahead);
   if constexpr (formula == l_r_l) {
     const V rest = hn::Sub(set(16 * t.aside * t.aside), b.squared);
-    const Arrow half{root(rest), hn::Sqrt(b.squared)};
-    const Arrow middle{hn::Neg(v.re), hn::Neg(v.im)};
+    const Complex half{root(rest), hn::Sqrt(b.squared)};
+    const Complex middle{hn::Neg(v.re), hn::Neg(v.im)};
     return {middle * opposite(half) * a, opposite(middle * half) * a, half * half, no_line,
             hn::Ge(rest, hn::Zero(D()))};
   } else if constexpr (formula == lr_lr) {
     const V cos = hn::Div(hn::Add(set(2 * t.aside), hn::Sqrt(b.squared)), set(4 * t.reach));
-    const Arrow inner{cos, root(hn::Sub(set(1), hn::Mul(cos, cos)))};
-    const Arrow u = inner * skew;
-    const Arrow h = arrow(0, 1) * v;
+    const Complex inner{cos, root(hn::Sub(set(1), hn::Mul(cos, cos)))};
+    const Complex u = inner * skew;
+    const Complex h = complex(0, 1) * v;
     return {u * opposite(a * h), u * opposite(a) * h, inner, no_line, hn::Le(cos, set(1))};
   } else {
     const Triangle tri = triangle(b, t, formula == r_lr_l ? 2 : 1);
-    Arrow last = tri.heading * opposite(a);
+    Complex last = tri.heading * opposite(a);
     if constexpr (formula == r_lr) last = last * tri.inner * skew;
-    return {tri.heading * a, last, tri.inner, no_line, tri.exact};
+    return {tri.heading * a, last, tri.inner, no_line, tri.exists};
   }
 }
 
@@ -184,27 +184,27 @@ HWY_INLINE V in_one_turn(V angle) {
   return hn::IfThenElse(hn::Lt(angle, set(-0.5)), hn::Add(angle, set(2 * std::numbers::pi)), angle);
 }
 
-/// Lanes in which the angle of an arrow is below -low or too far beyond a quarter turn.
+/// Lanes in which the angle of a direction is below -slack or too far beyond a quarter turn.
 template <std::size_t formula>
-VANDPLAN_PART Which unlikely(const Arrow& arrow, V low, const CircleTurns& t) {
+VANDPLAN_PART Which unlikely(const Complex& direction, V slack, const CircleTurns& t) {
   const V zero = hn::Zero(D());
-  const V square = squared(arrow);
-  const V least = hn::Add(hn::Mul(low, low), set(1e-24));
-  const Which behind = hn::Lt(arrow.re, zero);
-  const Which below = hn::Gt(hn::Mul(arrow.im, arrow.im), hn::Mul(least, square));
-  const Which too_low = hn::And(hn::Lt(arrow.im, zero), hn::Or(behind, below));
+  const V square = squared(direction);
+  const V least = hn::Add(hn::Mul(slack, slack), set(1e-24));
+  const Which behind = hn::Lt(direction.re, zero);
+  const Which below = hn::Gt(hn::Mul(direction.im, direction.im), hn::Mul(least, square));
+  const Which too_low = hn::And(hn::Lt(direction.im, zero), hn::Or(behind, below));
   if constexpr (formula == l_r_l) return too_low;
   const V most = hn::Mul(set(t.high * t.high), square);
-  return hn::Or(too_low, hn::And(behind, hn::Gt(hn::Mul(arrow.re, arrow.re), most)));
+  return hn::Or(too_low, hn::And(behind, hn::Gt(hn::Mul(direction.re, direction.re), most)));
 }
 
-/// By how much turns are shorter than angle + ramp [ramps]: `bounds::Small::lacks`.
+/// By how much turns are shorter than angle + ramp [ramps]: `continuous::SmallTurn::lacks`.
 VANDPLAN_PART V lacking(V angle, const SmallTurn& turn, const CircleTurns& t) {
   const V u = hn::Sub(set(1), hn::Mul(angle, set(1 / t.ramp)));
   const V square = hn::Mul(u, u);
   const V growth = hn::Mul(hn::Mul(set(turn.growth), square), square);
   const V lack = hn::Mul(square, hn::Add(set(turn.lack), growth));
-  return hn::IfThenZeroElse(hn::Le(u, hn::Zero(D())), hn::Min(lack, set(turn.most)));
+  return hn::IfThenZeroElse(hn::Le(u, hn::Zero(D())), hn::Min(lack, set(turn.max_lack)));
 }
 
 /// Angles of the turns of words.
@@ -212,7 +212,7 @@ struct Turns {
   V first, inner, last;
 };
 
-/// Estimated lengths of words: `bounds::length_near`.
+/// Estimated lengths of words: `continuous::estimated_length`.
 template <std::size_t formula>
 HWY_INLINE V length_of(const Turns& turns, V line, const CircleFormula& f, const CircleTurns& t) {
   V length = hn::Add(hn::Add(turns.first, turns.last), set(2 * t.ramp));
@@ -234,11 +234,11 @@ HWY_INLINE V length_of(const Turns& turns, V line, const CircleFormula& f, const
 
 /// Lanes in which a turn is so far below 0 that there is no word.
 HWY_INLINE Which is_gone(const Turns& turns, const CircleFormula& f, const CircleTurns& t) {
-  const V wide = hn::Mul(set(0.2), at_least_zero(hn::Sub(turns.inner, set(1.5))));
+  const V drop = hn::Mul(set(0.2), at_least_zero(hn::Sub(turns.inner, set(1.5))));
   const V ramp = set(t.ramp);
-  const Which no_first = hn::Lt(turns.first, hn::Mul(hn::Sub(set(f.first.least), wide), ramp));
-  const Which no_last = hn::Lt(turns.last, hn::Mul(hn::Sub(set(f.last.least), wide), ramp));
-  return hn::Or(hn::Or(no_first, no_last), hn::Lt(turns.inner, set(f.inner.least * t.ramp)));
+  const Which no_first = hn::Lt(turns.first, hn::Mul(hn::Sub(set(f.first.min_angle), drop), ramp));
+  const Which no_last = hn::Lt(turns.last, hn::Mul(hn::Sub(set(f.last.min_angle), drop), ramp));
+  return hn::Or(hn::Or(no_first, no_last), hn::Lt(turns.inner, set(f.inner.min_angle * t.ramp)));
 }
 
 template <std::size_t formula>
@@ -252,19 +252,19 @@ HWY_INLINE void work_out(CircleWords& all, std::size_t i, const CircleFormula& f
   } else {
     words = of_arcs<formula>(b, t);
   }
-  V low_first = hn::LoadU(d, &all.low_first[i]), low_last = hn::LoadU(d, &all.low_last[i]);
+  V slack_first = hn::LoadU(d, &all.slack_first[i]), slack_last = hn::LoadU(d, &all.slack_last[i]);
   Which out = hn::Lt(words.line, set(-1.05 * t.ramp));
   if constexpr (has_line(formula)) {
     const Which is_long = hn::Gt(words.line, set(3 * t.ramp));
     const V low = set(0.01 * t.ramp);
-    low_first = hn::IfThenElse(is_long, hn::Min(low_first, low), low_first);
-    low_last = hn::IfThenElse(is_long, hn::Min(low_last, low), low_last);
+    slack_first = hn::IfThenElse(is_long, hn::Min(slack_first, low), slack_first);
+    slack_last = hn::IfThenElse(is_long, hn::Min(slack_last, low), slack_last);
   }
-  out = hn::Or(out, hn::Or(unlikely<formula>(words.first, low_first, t),
-                           unlikely<formula>(words.last, low_last, t)));
+  out = hn::Or(out, hn::Or(unlikely<formula>(words.first, slack_first, t),
+                           unlikely<formula>(words.last, slack_last, t)));
   const Turns turns{in_one_turn(angle(words.first)), inner_angle<formula>(words, t),
                     in_one_turn(angle(words.last))};
-  out = hn::Or(hn::Or(out, hn::Not(words.exact)), is_gone(turns, f, t));
+  out = hn::Or(hn::Or(out, hn::Not(words.exists)), is_gone(turns, f, t));
   const V length = length_of<formula>(turns, words.line, f, t);
   hn::StoreU(turns.first, d, &all.first[i]);
   hn::StoreU(turns.inner, d, &all.inner[i]);
@@ -278,9 +278,9 @@ HWY_INLINE void work_out(CircleWords& all, std::size_t i, const CircleFormula& f
 template <std::size_t formula>
 void work_out_all(CircleWords& all, const CircleFormula& f, const CircleTurns& t) {
   const std::size_t lanes = hn::Lanes(D());
-  static_assert(CircleWords::room >= CircleWords::most + hn::MaxLanes(D()));
+  static_assert(CircleWords::padded >= CircleWords::capacity + hn::MaxLanes(D()));
   if (all.count == 0) return;
-  for (auto* numbers : {&all.x, &all.y, &all.sin, &all.cos, &all.low_first, &all.low_last}) {
+  for (auto* numbers : {&all.x, &all.y, &all.sin, &all.cos, &all.slack_first, &all.slack_last}) {
     const V last = set((*numbers)[all.count - 1]);
     hn::StoreU(last, D(), &(*numbers)[all.count]);
   }

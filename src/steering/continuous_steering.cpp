@@ -6,17 +6,16 @@
 #include <cmath>
 #include <string>
 
-#include "steering/continuous_ends.h"
-#include "steering/continuous_families.h"
-#include "steering/continuous_word.h"
-#include "steering/mean_frame.h"
+#include "steering/continuous/paths.h"
+#include "steering/continuous/query_tasks.h"
+#include "steering/continuous/word_solver.h"
 #include "vandplan/input_error.h"
 #include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
 namespace {
 
-using namespace steering;
+using namespace steering::continuous;
 
 double checked(const char* where, double value) {
   if (!(value > 0) || !std::isfinite(value)) {
@@ -62,38 +61,38 @@ double ContinuousSteering::length(const Pose& from, const Pose& to) const {
 namespace {
 
 /// The query at unit radius, in a frame with the first pose at the origin. Throws InputError.
-EndsTask task_of(const ContinuousSteering& steering, const Pose& from, const Pose& to,
-                 const ContinuousQuery& query) {
+UnitQuery checked_query(const ContinuousSteering& steering, const Pose& from, const Pose& to,
+                        const ContinuousQuery& query) {
   const double radius = steering.radius();
   check("from", from);
   check("to", to);
   check_curvature("start_curvature", query.start_curvature, radius);
   check_curvature("goal_curvature", query.goal_curvature, radius);
   if (std::isnan(query.cutoff)) throw InputError("cutoff", "must be a number");
-  return ends_task(steering, from, to, query);
+  return unit_query(steering, from, to, query);
 }
 
 }  // namespace
 
 std::optional<Piece> ContinuousSteering::steer(const Pose& from, const Pose& to,
                                                const ContinuousQuery& query) const {
-  const EndsTask task = task_of(*this, from, to, query);
-  const std::optional<UnitPath> path = least_path(WordSolver(SharpTurns(turns_)), task);
+  const UnitQuery unit = checked_query(*this, from, to, query);
+  const std::optional<UnitPath> path = shortest_path(WordSolver(SharpTurns(turns_)), unit);
   if (!path) return std::nullopt;
   return scaled(*path, radius_);
 }
 
 double ContinuousSteering::length(const Pose& from, const Pose& to,
                                   const ContinuousQuery& query) const {
-  const EndsTask task = task_of(*this, from, to, query);
-  return least_length(WordSolver(SharpTurns(turns_)), task) * radius_;
+  const UnitQuery unit = checked_query(*this, from, to, query);
+  return shortest_length(WordSolver(SharpTurns(turns_)), unit) * radius_;
 }
 
 std::vector<Piece> ContinuousSteering::candidates(const Pose& from, const Pose& to,
                                                   const ContinuousQuery& query) const {
-  const EndsTask task = task_of(*this, from, to, query);
+  const UnitQuery unit = checked_query(*this, from, to, query);
   std::vector<Piece> pieces;
-  for (const UnitPath& path : all_paths(WordSolver(SharpTurns(turns_)), task)) {
+  for (const UnitPath& path : all_paths(WordSolver(SharpTurns(turns_)), unit)) {
     pieces.push_back(scaled(path, radius_));
   }
   return pieces;

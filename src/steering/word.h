@@ -59,6 +59,14 @@ inline const Steps& steps_of(reeds_shepp_formulas::Formula formula) {
   return all_steps[static_cast<std::size_t>(formula)];
 }
 
+constexpr int gear_changes_of(const Steps& steps) {
+  int changes = 0;
+  for (std::size_t i = 1; i < steps.count; ++i) {
+    changes += steps.list[i].gear != steps.list[i - 1].gear ? 1 : 0;
+  }
+  return changes;
+}
+
 /// Which signs of the mean frame change; each change maps paths onto paths.
 struct Symmetry {
   bool x, y, half_turn;
@@ -79,6 +87,61 @@ struct Symmetry {
   [[nodiscard]] constexpr bool swaps_sides() const { return x != half_turn; }
   [[nodiscard]] constexpr bool swaps_ends() const { return (x != y) != half_turn; }
 };
+
+/// The symmetry that changes the signs of one of two symmetries, but not those of both.
+constexpr Symmetry combined(const Symmetry& a, const Symmetry& b) {
+  return {a.x != b.x, a.y != b.y, a.half_turn != b.half_turn};
+}
+
+inline constexpr Symmetry identity{false, false, false};
+inline constexpr Symmetry in_x{true, false, false};
+inline constexpr Symmetry in_y{false, true, false};
+inline constexpr Symmetry in_half_turn{false, false, true};
+
+/// How the words of a formula are made.
+struct FormulaRow {
+  reeds_shepp_formulas::Formula formula;
+  reeds_shepp_formulas::Arcs (*arcs)(const Circles&);
+  Symmetry own;  ///< symmetry that maps the word onto itself; `identity` if none does
+};
+
+/// All formulas, in the order of their enumerators.
+inline constexpr auto formula_rows = [] {
+  using namespace reeds_shepp_formulas;
+  return std::array<FormulaRow, 11>{{
+      {Formula::lsl, lsl, in_y},
+      {Formula::lsr, lsr, in_half_turn},
+      {Formula::l_r_l, l_r_l, in_y},
+      {Formula::r_lr, r_lr, identity},
+      {Formula::lr_lr, lr_lr, in_x},
+      {Formula::r_lr_l, r_lr_l, in_half_turn},
+      {Formula::r_lsr, r_lsr, identity},
+      {Formula::r_lsl, r_lsl, identity},
+      {Formula::r_lsr_l, r_lsr_l, in_half_turn},
+      {Formula::lrl, lrl, in_y},
+      {Formula::r_lr_wide, r_lr_wide, identity},
+  }};
+}();
+inline constexpr std::size_t formula_count = formula_rows.size();
+
+/// Lengths of the parts of the Reeds-Shepp word of a formula.
+inline reeds_shepp_formulas::Arcs arcs_of(reeds_shepp_formulas::Formula formula,
+                                          const Circles& circles) {
+  return formula_rows[static_cast<std::size_t>(formula)].arcs(circles);
+}
+
+/// Calls `visit(symmetry)` for the symmetries under which a formula has different words: eight, or
+/// four if one of them maps the word onto itself.
+template <typename Visit>
+void for_each_symmetry(reeds_shepp_formulas::Formula formula, Visit visit) {
+  const Symmetry& own = formula_rows[static_cast<std::size_t>(formula)].own;
+  for (unsigned i = 0; i < 8; ++i) {
+    const Symmetry symmetry{(i & 4U) != 0, (i & 2U) != 0, (i & 1U) != 0};
+    const auto& [x, y, half_turn] = symmetry;
+    if ((x && own.x) || (y && own.y) || (half_turn && own.half_turn)) continue;
+    visit(symmetry);
+  }
+}
 
 /// The piece of a word under `symmetry`, at `radius` [m]. Parts of length 0 or less are left out.
 inline Piece piece_of(reeds_shepp_formulas::Formula formula, const reeds_shepp_formulas::Arcs& arcs,

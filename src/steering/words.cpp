@@ -22,42 +22,29 @@ using namespace steering::reeds_shepp_formulas;
 
 constexpr double full_turn = 2 * std::numbers::pi;
 
-/// A formula, with what `for_each_word` needs to know about it.
-struct Kind {
-  Formula formula;
-  Arcs (*arcs)(const Circles&);
-  double (*margin)(const Circles&);  ///< the word exists where this is >= 0
-  Symmetry own;  ///< symmetry that maps the word onto itself; `none` for a word with eight images
-  int gear_changes;
-  bool is_wide = false;  ///< the inner arc is more than half a turn
-};
-
 double from_left_to_left(const Circles& p) { return (p.x - 2 * p.s) * (p.x - 2 * p.s) + p.y * p.y; }
 double from_right_to_right(const Circles& p) {
   return (p.x + 2 * p.s) * (p.x + 2 * p.s) + p.y * p.y;
 }
 
-constexpr Symmetry none{false, false, false};
-constexpr Symmetry in_x{true, false, false};
-constexpr Symmetry in_y{false, true, false};
-constexpr Symmetry in_half_turn{false, false, true};
+/// Functions of the formulas, in the order of their enumerators: the word exists where its function
+/// is >= 0.
+constexpr std::array<double (*)(const Circles&), formula_count> margins = {
+    [](const Circles&) { return 0.0; },                            // lsl
+    [](const Circles& p) { return p.lr; },                         // lsr
+    [](const Circles& p) { return 16 - from_left_to_left(p); },    // l_r_l
+    [](const Circles& p) { return 16 - from_right_to_right(p); },  // r_lr
+    [](const Circles& p) { return -p.lr; },                        // lr_lr
+    [](const Circles& p) { return std::min(p.rl, 32 - p.rl); },    // r_lr_l
+    [](const Circles& p) { return from_right_to_right(p) - 8; },   // r_lsr
+    [](const Circles& p) { return p.rl; },                         // r_lsl
+    [](const Circles& p) { return p.rl - 16; },                    // r_lsr_l
+    [](const Circles& p) { return 16 - from_left_to_left(p); },    // lrl
+    [](const Circles& p) { return 16 - from_right_to_right(p); },  // r_lr_wide
+};
 
-constexpr std::array<Kind, 11> kinds = {{
-    {Formula::lsl, lsl, [](const Circles&) { return 0.0; }, in_y, 0},
-    {Formula::lsr, lsr, [](const Circles& p) { return p.lr; }, in_half_turn, 0},
-    {Formula::l_r_l, l_r_l, [](const Circles& p) { return 16 - from_left_to_left(p); }, in_y, 2},
-    {Formula::r_lr, r_lr, [](const Circles& p) { return 16 - from_right_to_right(p); }, none, 1},
-    {Formula::lr_lr, lr_lr, [](const Circles& p) { return -p.lr; }, in_x, 1},
-    {Formula::r_lr_l, r_lr_l, [](const Circles& p) { return std::min(p.rl, 32 - p.rl); },
-     in_half_turn, 2},
-    {Formula::r_lsr, r_lsr, [](const Circles& p) { return from_right_to_right(p) - 8; }, none, 1},
-    {Formula::r_lsl, r_lsl, [](const Circles& p) { return p.rl; }, none, 1},
-    {Formula::r_lsr_l, r_lsr_l, [](const Circles& p) { return p.rl - 16; }, in_half_turn, 2},
-    {Formula::lrl, lrl, [](const Circles& p) { return 16 - from_left_to_left(p); }, in_y, 0, true},
-    {Formula::r_lr_wide, r_lr_wide, [](const Circles& p) { return 16 - from_right_to_right(p); },
-     none, 1, true},
-}};
-constexpr std::size_t reeds_shepp_kinds = 9;
+/// Whether the inner arc is more than half a turn.
+bool is_wide(Formula formula) { return formula == Formula::lrl || formula == Formula::r_lr_wide; }
 
 /// The arc plus whole turns, in [0, 2 pi). An arc that rounding pushed below 0 stays there.
 double in_one_turn(double arc) {
@@ -67,30 +54,24 @@ double in_one_turn(double arc) {
 
 /// A word of a formula between two poses, under one symmetry.
 struct Word {
-  const Kind& kind;
+  Formula formula;
   Symmetry symmetry;
   Arcs arcs;  ///< first and last arc are in [0, 2 pi), except for rounding
   double margin;
 };
 
-/// Calls `take` with each word of a kind whose margin is at least `least`.
+/// Calls `take` with each word of a formula whose margin is at least `least`.
 template <typename Take>
-void for_each_word(const Circles& circles, const Kind& kind, double least, Take take) {
-  for (const bool x : {false, true}) {
-    for (const bool y : {false, true}) {
-      for (const bool half_turn : {false, true}) {
-        if ((x && kind.own.x) || (y && kind.own.y) || (half_turn && kind.own.half_turn)) continue;
-        const Symmetry symmetry{x, y, half_turn};
-        const Circles image = symmetry.of(circles);
-        const double margin = kind.margin(image);
-        if (margin < least) continue;
-        Arcs arcs = kind.arcs(image);
-        arcs.first = in_one_turn(arcs.first);
-        arcs.last = in_one_turn(arcs.last);
-        take(Word{kind, symmetry, arcs, margin});
-      }
-    }
-  }
+void for_each_word(const Circles& circles, Formula formula, double least, Take take) {
+  for_each_symmetry(formula, [&](const Symmetry& symmetry) {
+    const Circles mirrored = symmetry.of(circles);
+    const double margin = margins[static_cast<std::size_t>(formula)](mirrored);
+    if (margin < least) return;
+    Arcs arcs = arcs_of(formula, mirrored);
+    arcs.first = in_one_turn(arcs.first);
+    arcs.last = in_one_turn(arcs.last);
+    take(Word{formula, symmetry, arcs, margin});
+  });
 }
 
 /// Length of a word [turning radii]. A first or last arc that rounding made negative shortens it by
@@ -98,7 +79,7 @@ void for_each_word(const Circles& circles, const Kind& kind, double least, Take 
 double length_of(const Word& word) {
   const Arcs& a = word.arcs;
   const double parts[] = {a.first, a.inner, a.line, a.last};
-  const Steps& steps = steps_of(word.kind.formula);
+  const Steps& steps = steps_of(word.formula);
   double sum = 0.0;
   for (std::size_t i = 0; i < steps.count; ++i) sum += parts[steps.list[i].part];
   return sum;
@@ -106,8 +87,8 @@ double length_of(const Word& word) {
 
 /// The segments of a word, without those of length 0.
 Piece piece_of(const Word& word, double radius) {
-  const Formula formula = word.kind.formula;
-  Piece piece = piece_of(formula, without_noise(formula, word.arcs), word.symmetry, radius);
+  const Arcs arcs = without_noise(word.formula, word.arcs);
+  Piece piece = piece_of(word.formula, arcs, word.symmetry, radius);
   piece.length = length(piece.view());
   return piece;
 }
@@ -163,7 +144,7 @@ class Guesses {
   void add(const Word& word) {
     if (word.margin >= 0.0 && !is_near(word)) return;
     for (const Arcs& arcs : {without_vanishing(word.arcs, reach_), with_tiny(word.arcs, reach_)}) {
-      const Piece piece = piece_of(Word{word.kind, word.symmetry, arcs, 0.0}, radius_);
+      const Piece piece = piece_of(Word{word.formula, word.symmetry, arcs, 0.0}, radius_);
       guesses_.push_back(joined(piece, radius_, reach_));
     }
   }
@@ -172,7 +153,7 @@ class Guesses {
  private:
   [[nodiscard]] bool is_near(const Word& word) const {
     const double parts[] = {word.arcs.first, word.arcs.inner, word.arcs.line, word.arcs.last};
-    const Steps& steps = steps_of(word.kind.formula);
+    const Steps& steps = steps_of(word.formula);
     return std::any_of(steps.list.data(), steps.list.data() + steps.count, [&](const Step& step) {
       const double part = parts[step.part];
       return part < reach_ || (step.turn != 0.0 && part > full_turn - reach_);
@@ -194,10 +175,10 @@ void find_words(const Pose& from, const Pose& to, double radius, const Wanted& w
   const double shift = wanted.closing.position / radius + wanted.closing.heading;
   Guesses guesses(radius, shift);
   words.clear();
-  for (const Kind& kind : kinds) {
-    if (kind.gear_changes != wanted.gear_changes) continue;
-    if (kind.is_wide && !wanted.wide_arcs) continue;
-    for_each_word(circles, kind, -16 * shift, [&](const Word& word) {
+  for (const FormulaRow& row : formula_rows) {
+    if (gear_changes_of(steps_of(row.formula)) != wanted.gear_changes) continue;
+    if (is_wide(row.formula) && !wanted.wide_arcs) continue;
+    for_each_word(circles, row.formula, -16 * shift, [&](const Word& word) {
       guesses.add(word);
       if (word.margin < 0.0 || length_of(word) * radius >= wanted.longest) return;
       const Piece piece = piece_of(word, radius);
@@ -216,8 +197,9 @@ std::vector<Piece> reeds_shepp_words(const Pose& from, const Pose& to, double ra
   base::require_radius(radius);
   const Circles circles(mean_frame(from, to, radius));
   std::vector<Piece> words;
-  for (const Kind& kind : std::span(kinds).first(reeds_shepp_kinds)) {
-    for_each_word(circles, kind, 0.0,
+  for (const FormulaRow& row : formula_rows) {
+    if (is_wide(row.formula)) continue;
+    for_each_word(circles, row.formula, 0.0,
                   [&](const Word& word) { words.push_back(piece_of(word, radius)); });
   }
   return words;

@@ -18,19 +18,20 @@
 #include <string>
 #include <vector>
 
-#include "steering/continuous_looks.h"
+#include "steering/continuous/circle_batch.h"
+#include "steering/continuous/estimates.h"
 #include "support/simd_targets.h"
 #include "vandplan/random.h"
 
 namespace vandplan {
 namespace {
 
-using steering::Joints;
-using steering::SharpTurns;
-using steering::WordFrame;
-using steering::looks::Lows;
-using steering::looks::Room;
-using steering::reeds_shepp_formulas::Formula;
+using steering::continuous::AngleLimits;
+using steering::continuous::EndSlack;
+using steering::continuous::Formula;
+using steering::continuous::Joints;
+using steering::continuous::SharpTurns;
+using steering::continuous::WordFrame;
 using Words = std::array<simd::CircleWords, simd::circle_formulas>;
 
 std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
@@ -44,17 +45,17 @@ WordFrame any_frame(double reach, Rng& rng) {
   };
   if (rng() % 4 == 0) {
     const double x = eighths(40), y = eighths(40);
-    return steering::word_frame({x, y, std::numbers::pi / 2 * eighths(8)});
+    return steering::continuous::word_frame({x, y, std::numbers::pi / 2 * eighths(8)});
   }
   const double x = uniform(-reach, reach, rng), y = uniform(-reach, reach, rng);
-  return steering::word_frame({x, y, uniform(-2.0, 2.0, rng)});
+  return steering::continuous::word_frame({x, y, uniform(-2.0, 2.0, rng)});
 }
 
 struct Case {
   Joints joints;
-  Room room;
+  AngleLimits limits;
   std::vector<WordFrame> frames;
-  std::vector<Lows> lows;
+  std::vector<EndSlack> slacks;
 };
 
 Case any_case(std::size_t count, Rng& rng) {
@@ -64,7 +65,7 @@ Case any_case(std::size_t count, Rng& rng) {
   for (std::size_t i = 0; i < count; ++i) {
     made.frames.push_back(any_frame(reach, rng));
     const double first = ramp * uniform(0, 1, rng), last = ramp * uniform(0, 1, rng);
-    made.lows.push_back({first, last});
+    made.slacks.push_back({first, last});
   }
   return made;
 }
@@ -79,28 +80,29 @@ void work_out(const Case& made, Words& words) {
       all.y[i] = f.y;
       all.sin[i] = f.s;
       all.cos[i] = f.c;
-      all.low_first[i] = made.lows[i].first;
-      all.low_last[i] = made.lows[i].last;
+      all.slack_first[i] = made.slacks[i].first;
+      all.slack_last[i] = made.slacks[i].last;
     }
   }
   const Joints& j = made.joints;
   ASSERT_TRUE(
-      simd::circle_words(words, steering::looks::detail::formulas,
-                         {j.ahead, j.aside, j.reach, j.skew, made.room.ramp, made.room.high}));
+      simd::circle_words(words, steering::continuous::detail::formulas,
+                         {j.ahead, j.aside, j.reach, j.skew, made.limits.ramp, made.limits.high}));
 }
 
 TEST(CircleKernels, WordsHaveTheBitsOfOneAfterTheOther) {
   const auto words = std::make_unique<Words>();
   std::size_t found = 0, none = 0;
   on_every_target([&](std::size_t count, Rng& rng) {
-    const Case made = any_case(count % (simd::CircleWords::most + 1), rng);
+    const Case made = any_case(count % (simd::CircleWords::capacity + 1), rng);
     work_out(made, *words);
     for (std::size_t formula = 0; formula < words->size(); ++formula) {
       const simd::CircleWords& all = (*words)[formula];
       for (std::size_t i = 0; i < all.count; ++i) {
         SCOPED_TRACE("formula " + std::to_string(formula) + ", word " + std::to_string(i));
-        const auto word = steering::looks::near_word(static_cast<Formula>(formula), made.frames[i],
-                                                     made.joints, made.room, made.lows[i]);
+        const auto word =
+            steering::continuous::estimated_word(static_cast<Formula>(formula), made.frames[i],
+                                                 made.joints, made.limits, made.slacks[i]);
         ++(word ? found : none);
         if (!word) {
           EXPECT_EQ(all.length[i], std::numeric_limits<double>::infinity());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "steering/continuous_turn.h"
+#include "steering/continuous/turn.h"
 
 #include <gtest/gtest.h>
 
@@ -12,13 +12,13 @@
 #include "support/draws.h"
 #include "vandplan/path.h"
 
-namespace vandplan::steering {
+namespace vandplan::steering::continuous {
 namespace {
 
 /// A turn to the left as segments.
-Pose driven(const SharpTurns& turns, double length, Ends ends) {
-  const bool rises = ends == Ends::rolling || ends == Ends::stands_after;
-  const bool falls = ends == Ends::rolling || ends == Ends::stands_before;
+Pose driven(const SharpTurns& turns, double length, TurnEnds ends) {
+  const bool rises = ends == TurnEnds::rolling || ends == TurnEnds::stands_after;
+  const bool falls = ends == TurnEnds::rolling || ends == TurnEnds::stands_before;
   const double ramps = (rises ? 1 : 0) + (falls ? 1 : 0);
   const double ramp = ramps == 0 ? 0 : std::min(turns.ramp(), length / ramps);
   const double peak = ramps == 0 ? 1 : ramp * turns.sharpness();
@@ -29,14 +29,14 @@ Pose driven(const SharpTurns& turns, double length, Ends ends) {
   return pose;
 }
 
-constexpr Ends all_ends[] = {Ends::rolling, Ends::stands_before, Ends::stands_after,
-                             Ends::stands_at_both};
+constexpr TurnEnds all_ends[] = {TurnEnds::rolling, TurnEnds::stands_before, TurnEnds::stands_after,
+                                 TurnEnds::stands_at_both};
 
 TEST(ContinuousTurn, LeadsWhereItsSegmentsLead) {
   for_each_case(1, 5000, [](Rng& rng) {
     const SharpTurns turns(1 / any_size(0.01, 8, rng));
     const double length = any_size(1e-4, 4, rng);
-    for (const Ends ends : all_ends) {
+    for (const TurnEnds ends : all_ends) {
       const Turned t = turns.turn(length, ends);
       const Pose end = driven(turns, length, ends);
       const double rounding = 1e-13 * (1 + turns.ramp());
@@ -54,7 +54,7 @@ TEST(ContinuousTurn, SlopesAreThoseOfTheWay) {
     const SharpTurns turns(1 / any_size(0.1, 8, rng));
     const double length = any_size(1e-2, 4, rng);
     constexpr double step = 1e-5;
-    for (const Ends ends : all_ends) {
+    for (const TurnEnds ends : all_ends) {
       const Turned t = turns.turn(length, ends);
       const Turned less = turns.turn(length - step, ends), more = turns.turn(length + step, ends);
       // At full lock the second derivative jumps.
@@ -67,4 +67,4 @@ TEST(ContinuousTurn, SlopesAreThoseOfTheWay) {
 }
 
 }  // namespace
-}  // namespace vandplan::steering
+}  // namespace vandplan::steering::continuous

@@ -1,45 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "steering/continuous_word.h"
+#include "steering/continuous/word_solver.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "steering/continuous_kinds.h"
+#include "steering/word.h"
 #include "support/cases.h"
 #include "support/draws.h"
 
-namespace vandplan::steering {
+namespace vandplan::steering::continuous {
 namespace {
-
-using namespace families;
 
 /// A word of any formula that ends where the frame does, and what Newton's method begins with.
 struct DrawnWord {
   WordSolver solver;
-  const Kind& kind;
+  Formula formula;
   Stops stops;
   WordFrame frame;
   Arcs guess;
 
-  [[nodiscard]] std::optional<SolvedWord> solve(const Patience& patience) const {
-    return solver.solve(kind.formula, stops, frame, guess, patience);
+  [[nodiscard]] std::optional<SolvedWord> solve(const NewtonLimits& limits) const {
+    return solver.solve(formula, stops, frame, guess, limits);
   }
 };
 
 DrawnWord drawn_word(Rng& rng) {
   const double ramp = any_size(0.02, 0.6, rng);
-  const Kind& kind = kinds[rng() % 9];
+  const Formula formula = formula_rows[rng() % 9].formula;
   const bool jumps = chance(0.5, rng);
   const double reach = any_size(0.1, 10, rng);
   const double x = uniform(0, reach, rng), y = uniform(0, reach, rng);
   const MeanFrame frame{x, y, uniform(0, 1.57, rng)};
   return {WordSolver(SharpTurns(1 / ramp)),
-          kind,
+          formula,
           {jumps, jumps, jumps},
           word_frame(frame),
-          in_one_turn(kind.arcs(Circles(frame)))};
+          in_one_turn(arcs_of(formula, Circles(frame)))};
 }
 
 TEST(ContinuousWord, IsTheSameWhereLongerOnesAreOfNoUse) {
@@ -72,4 +70,4 @@ TEST(ContinuousWord, IsSeldomSolvedToItsEndWhereItIsOfNoUse) {
 }
 
 }  // namespace
-}  // namespace vandplan::steering
+}  // namespace vandplan::steering::continuous

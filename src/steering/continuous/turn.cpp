@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "steering/continuous_turn.h"
+#include "steering/continuous/turn.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "base/trigonometry.h"
 #include "path/clothoid.h"
 
-namespace vandplan::steering {
+namespace vandplan::steering::continuous {
 namespace {
 
 constexpr double series_reach = 3;  // [rad]; beyond it, terms of the series cancel
@@ -103,7 +103,7 @@ struct SmallSeries {
   }
 };
 
-constexpr SmallSeries<4> small_turns({&chords.chord, &chords.slope, &sine, &cosine});
+constexpr SmallSeries<4> small_turn_series({&chords.chord, &chords.slope, &sine, &cosine});
 
 /// Sine and cosine, fast where the angle is small, as it is on clothoids.
 inline base::SinCos sin_cos_of_ramp(double angle) {
@@ -171,19 +171,19 @@ SharpTurns::Point SharpTurns::clothoid(double length) const noexcept {
   base::SinCos half;
   Chord along;
   if (const double square = angle * angle; square <= small_square) {
-    const auto [way, slope, sin, cos] = small_turns.sums(square);
-    along = {length * way, slope};
+    const auto [share, slope, sin, cos] = small_turn_series.sums(square);
+    along = {length * share, slope};
     half = {angle * sin, cos};
   } else {
     half = base::sin_cos(angle);
     along = chord(length, angle, half);
   }
-  const auto [way, slope] = along;
+  const auto [chord_length, slope] = along;
   const auto [sin, cos] = half;
-  return {way * cos,
-          way * sin,
-          slope * cos - way * sin * bend,
-          slope * sin + way * cos * bend,
+  return {chord_length * cos,
+          chord_length * sin,
+          slope * cos - chord_length * sin * bend,
+          slope * sin + chord_length * cos * bend,
           2 * angle,
           2 * bend,
           2 * sin * cos,
@@ -210,12 +210,12 @@ Turned Turned::reversed() const noexcept {
           sin,    cos};
 }
 
-Turned SharpTurns::turn(double length, Ends ends) const noexcept {
-  if (ends == Ends::stands_before) return to_stop(length).reversed();
-  if (ends == Ends::stands_after) return to_stop(length);
+Turned SharpTurns::turn(double length, TurnEnds ends) const noexcept {
+  if (ends == TurnEnds::stands_before) return to_stop(length).reversed();
+  if (ends == TurnEnds::stands_after) return to_stop(length);
   const double size = std::abs(length);
   Turned t;
-  if (ends == Ends::rolling) {
+  if (ends == TurnEnds::rolling) {
     t = rolling(size);
   } else {
     const auto [sin, cos] = base::sin_cos(size / 2);
@@ -231,16 +231,16 @@ Turned SharpTurns::turn(double length, Ends ends) const noexcept {
   return t;
 }
 
-double SharpTurns::length_of(double angle, Ends ends) const noexcept {
+double SharpTurns::length_of(double angle, TurnEnds ends) const noexcept {
   static constexpr double ramps_of[] = {2, 1, 1, 0};
   const double ramps = ramps_of[static_cast<std::size_t>(ends)];
   const double either[] = {std::sqrt(2 * ramps * angle * ramp_), angle + ramps * ramp_ / 2};
   return either[angle >= ramps * ramp_ / 2 ? 1 : 0];  // a table: branches would be mispredicted
 }
 
-double SharpTurns::peak(double length, Ends ends) const noexcept {
-  if (ends == Ends::stands_at_both) return 1;
-  return std::min(1.0, sharpness_ * (ends == Ends::rolling ? length / 2 : length));
+double SharpTurns::peak(double length, TurnEnds ends) const noexcept {
+  if (ends == TurnEnds::stands_at_both) return 1;
+  return std::min(1.0, sharpness_ * (ends == TurnEnds::rolling ? length / 2 : length));
 }
 
-}  // namespace vandplan::steering
+}  // namespace vandplan::steering::continuous

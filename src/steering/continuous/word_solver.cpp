@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "steering/continuous_word.h"
+#include "steering/continuous/word_solver.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,19 +8,13 @@
 
 #include "base/trigonometry.h"
 
-namespace vandplan::steering {
+namespace vandplan::steering::continuous {
 namespace {
-
-using reeds_shepp_formulas::Arcs;
-using reeds_shepp_formulas::Formula;
-
-constexpr std::size_t formulas = 11;
-constexpr double two_pi = 2 * std::numbers::pi;
 
 bool has_line(const Steps& steps) { return steps.list[1].part == 2 || steps.list[2].part == 2; }
 
-Shape made_shape(const Steps& steps, const Stops& stops) {
-  Shape shape;
+WordShape made_shape(const Steps& steps, const Stops& stops) {
+  WordShape shape;
   shape.steps = steps;
   shape.has_line = has_line(steps);
   for (std::size_t i = 0; i < steps.count; ++i) {
@@ -28,8 +22,8 @@ Shape made_shape(const Steps& steps, const Stops& stops) {
     const bool before = i == 0 ? stops.start : stops.inside && steps.list[i - 1].gear != gear;
     const bool after =
         i + 1 == steps.count ? stops.goal : stops.inside && steps.list[i + 1].gear != gear;
-    shape.ends[i] = before ? (after ? Ends::stands_at_both : Ends::stands_before)
-                           : (after ? Ends::stands_after : Ends::rolling);
+    shape.ends[i] = before ? (after ? TurnEnds::stands_at_both : TurnEnds::stands_before)
+                           : (after ? TurnEnds::stands_after : TurnEnds::rolling);
     const std::size_t part = steps.list[i].part;
     if (part == 1) shape.inner = i;
     const std::size_t turn = part == 0 ? 0 : part == 3 ? 2 : 1;
@@ -48,8 +42,8 @@ Shape made_shape(const Steps& steps, const Stops& stops) {
   for (std::size_t i = 0; i < steps.count; ++i) {
     ++(shape.length_of[i] < 3 ? shape.counts[shape.length_of[i]] : shape.quarters);
   }
-  shape.least = {shape.may_cut_first ? -1.0 : 0.0, shape.may_dip ? -2.0 : 0.0,
-                 shape.may_cut_last ? -1.0 : 0.0};
+  shape.min_lengths = {shape.may_cut_first ? -1.0 : 0.0, shape.may_dip ? -2.0 : 0.0,
+                       shape.may_cut_last ? -1.0 : 0.0};
   return shape;
 }
 
@@ -92,10 +86,10 @@ void UnitSegments::add(const Segment& segment) noexcept {
   list[count++] = segment;
 }
 
-const Shape& shape_of(Formula formula, const Stops& stops) noexcept {
+const WordShape& shape_of(Formula formula, const Stops& stops) noexcept {
   static const auto shapes = [] {
-    std::array<std::array<Shape, 8>, formulas> all;
-    for (std::size_t i = 0; i < formulas; ++i) {
+    std::array<std::array<WordShape, 8>, formula_count> all;
+    for (std::size_t i = 0; i < formula_count; ++i) {
       for (std::size_t j = 0; j < 8; ++j) {
         const Stops at{(j & 4) != 0, (j & 2) != 0, (j & 1) != 0};
         all[i][j] = made_shape(steps_of(static_cast<Formula>(i)), at);
@@ -112,14 +106,14 @@ WordSolver::WordSolver(const SharpTurns& turns) noexcept
 
 double WordSolver::radius_of(double angle) const noexcept {
   const double bounded = std::clamp(angle, 1e-12, std::numbers::pi);
-  const Turned t = turns_.turn(turns_.length_of(bounded, Ends::rolling), Ends::rolling);
+  const Turned t = turns_.turn(turns_.length_of(bounded, TurnEnds::rolling), TurnEnds::rolling);
   return std::sqrt(t.x * t.x + t.y * t.y) / (2 * base::sin_cos(bounded / 2).sin);
 }
 
 std::optional<SolvedWord> WordSolver::at_full_lock(Formula formula, const Stops& stops,
                                                    const Arcs& arcs) const noexcept {
   constexpr double noise = 1e-13;
-  const Shape& shape = shape_of(formula, stops);
+  const WordShape& shape = shape_of(formula, stops);
   SolvedWord word{formula, stops, {}, 0, 0};
   const auto turn_of = [&](double angle, std::size_t step, double& length) {
     const double ramps = turns_.ramps_of(shape.ends[step]);
@@ -143,14 +137,14 @@ std::optional<SolvedWord> WordSolver::at_full_lock(Formula formula, const Stops&
 
 std::optional<SolvedWord> WordSolver::solve(Formula formula, const Stops& stops,
                                             const WordFrame& frame, const Arcs& arcs,
-                                            const Patience& patience) const noexcept {
-  const Shape& shape = shape_of(formula, stops);
+                                            const NewtonLimits& limits) const noexcept {
+  const WordShape& shape = shape_of(formula, stops);
   const std::size_t last = shape.steps.count - 1;
   SolvedWord word{formula, stops, {}, 0, 0};
   // Beside a line even tiny angles are nearly right; elsewhere turns need some length to move.
-  const double least_guess = shape.has_line ? 1e-14 : 1e-6;
+  const double min_guess = shape.has_line ? 1e-14 : 1e-6;
   const auto guessed = [&](double angle, std::size_t step) {
-    return turns_.length_of(std::max(angle, least_guess), shape.ends[step]);
+    return turns_.length_of(std::max(angle, min_guess), shape.ends[step]);
   };
   word.lengths[0] = guessed(arcs.first, 0);
   word.lengths[2] = guessed(arcs.last, last);
@@ -162,22 +156,22 @@ std::optional<SolvedWord> WordSolver::solve(Formula formula, const Stops& stops,
   }
   const double guess =
       shape.senses[0] * arcs.first + shape.senses[1] * arcs.inner + shape.senses[2] * arcs.last;
-  const double turn = 2 * frame.a + two_pi * std::round((guess - 2 * frame.a) / two_pi);
-  if (!close(word, frame, turn, patience) || !is_drivable(word)) return std::nullopt;
-  leave_out_crumbs(word, frame, turn);
+  const double turn = 2 * frame.a + full_turn * std::round((guess - 2 * frame.a) / full_turn);
+  if (!find_root(word, frame, turn, limits) || !is_drivable(word)) return std::nullopt;
+  drop_vanishing_parts(word, frame, turn);
   return word;
 }
 
 bool WordSolver::is_drivable(SolvedWord& word) const noexcept {
   constexpr double noise = 1e-13;
-  const Shape& shape = shape_of(word.formula, word.stops);
+  const WordShape& shape = shape_of(word.formula, word.stops);
   const Steps& steps = shape.steps;
   word.length = 0;
   bool vanishes = false;
   if (shape.has_line) {  // a turn by next to nothing is made part of the line
     constexpr double nothing = 1e-14;
     const auto give = [&](double& length, std::size_t step, std::size_t beside) {
-      if (steps.list[beside].part != 2 || shape.ends[step] == Ends::stands_at_both) return;
+      if (steps.list[beside].part != 2 || shape.ends[step] == TurnEnds::stands_at_both) return;
       if (length >= 0 || turns_.sharpness() * length * length > nothing) return;
       word.lengths[1] += length;
       length = 0;
@@ -207,31 +201,31 @@ bool WordSolver::is_drivable(SolvedWord& word) const noexcept {
 }
 
 bool WordSolver::jumps_at_stops(const SolvedWord& word) const noexcept {
-  const Shape& shape = shape_of(word.formula, word.stops);
+  const WordShape& shape = shape_of(word.formula, word.stops);
   const Steps& steps = shape.steps;
-  const auto bends_at = [&](std::size_t step, Ends end) {
-    return shape.ends[step] == end || shape.ends[step] == Ends::stands_at_both;
+  const auto bends_at = [&](std::size_t step, TurnEnds end) {
+    return shape.ends[step] == end || shape.ends[step] == TurnEnds::stands_at_both;
   };
   std::size_t last = steps.count;  // last step that is driven; none yet
   for (std::size_t i = 0; i < steps.count; ++i) {
     if (length_of(word, i) <= 0) continue;
-    const bool bends_before = bends_at(i, Ends::stands_before);
+    const bool bends_before = bends_at(i, TurnEnds::stands_before);
     if (last == steps.count) {
       if (bends_before && !word.stops.start) return false;
     } else if (steps.list[i].gear == steps.list[last].gear &&
-               (bends_before || bends_at(last, Ends::stands_after))) {
+               (bends_before || bends_at(last, TurnEnds::stands_after))) {
       // Two strokes in one gear with nothing between them.
       const bool is_one =
           steps.list[i].turn == steps.list[last].turn && ramp_of(word, i) == ramp_of(word, last);
-      if (!is_one || !bends_before || !bends_at(last, Ends::stands_after)) return false;
+      if (!is_one || !bends_before || !bends_at(last, TurnEnds::stands_after)) return false;
     }
     last = i;
   }
-  return last == steps.count || word.stops.goal || !bends_at(last, Ends::stands_after);
+  return last == steps.count || word.stops.goal || !bends_at(last, TurnEnds::stands_after);
 }
 
 UnitSegments WordSolver::segments_of(const SolvedWord& word) const noexcept {
-  const Shape& shape = shape_of(word.formula, word.stops);
+  const WordShape& shape = shape_of(word.formula, word.stops);
   const Steps& steps = shape.steps;
   // What parts of negative length take from the clothoids at each joint.
   std::array<double, 7> taken{};  // joint before step i: [i], joint after step i: [i + 1]
@@ -251,9 +245,9 @@ UnitSegments WordSolver::segments_of(const SolvedWord& word) const noexcept {
       continue;
     }
     const double rate = step.turn * turns_.sharpness();
-    const Ends ends = shape.ends[i];
-    const bool rises = ends == Ends::rolling || ends == Ends::stands_after;
-    const bool falls = ends == Ends::rolling || ends == Ends::stands_before;
+    const TurnEnds ends = shape.ends[i];
+    const bool rises = ends == TurnEnds::rolling || ends == TurnEnds::stands_after;
+    const bool falls = ends == TurnEnds::rolling || ends == TurnEnds::stands_before;
     const double ramps = (rises ? 1 : 0) + (falls ? 1 : 0);
     const double ramp = ramps == 0 ? 0 : std::min(turns_.ramp(), length / ramps);
     const bool is_full = ramp == turns_.ramp() || ramps == 0;
@@ -275,8 +269,8 @@ double WordSolver::step_length(const SolvedWord& word, std::size_t step) const n
 }
 
 double WordSolver::ramp_of(const SolvedWord& word, std::size_t step) const noexcept {
-  const Shape& shape = shape_of(word.formula, word.stops);
+  const WordShape& shape = shape_of(word.formula, word.stops);
   return turns_.peak(length_of(word, step), shape.ends[step]) * turns_.ramp();
 }
 
-}  // namespace vandplan::steering
+}  // namespace vandplan::steering::continuous

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "steering/continuous_combinations.h"
+#include "steering/continuous/query_tasks.h"
 
 #include <algorithm>
 #include <array>
@@ -11,24 +11,25 @@
 #include "simd/turn_kernels.h"
 #include "steering/mean_frame.h"
 
-namespace vandplan::steering {
+namespace vandplan::steering::continuous {
 namespace {
 
-/// A way to begin or to end a path: a clothoid between bent and straight wheels.
-struct End {
+/// A winding at one end of a query.
+struct StraightenedEnd {
   Pose pose;        ///< pose at which the wheels are straight
   Segment segment;  ///< the clothoid, driven from the start onward or from the goal backward
 };
 
 /// The ways to straighten the wheels from a pose with `curvature`: forward and in reverse.
-std::array<End, 2> ends_of(const Pose& pose, double curvature, const SharpTurns& turns) {
+std::array<StraightenedEnd, 2> straightened_ends(const Pose& pose, double curvature,
+                                                 const SharpTurns& turns) {
   const double length = std::abs(curvature) * turns.ramp();
   const double rate = curvature > 0 ? -turns.sharpness() : turns.sharpness();
-  const Turned wound = turns.turn(length, Ends::stands_after).reversed();
+  const Turned wound = turns.turn(length, TurnEnds::stands_after).reversed();
   const double turn = curvature > 0 ? wound.angle : -wound.angle;
   const double aside = curvature > 0 ? wound.y : -wound.y;
   const auto [sin, cos] = base::sin_cos(pose.heading);
-  std::array<End, 2> ends;
+  std::array<StraightenedEnd, 2> ends;
   for (std::size_t i = 0; i < 2; ++i) {
     const double gear = i == 0 ? 1 : -1;
     const double ahead = gear * wound.x;
@@ -61,8 +62,8 @@ class Directions {
   std::array<double, simd::turns_of_batch> sines_, cosines_;
 };
 
-/// Adds the tasks of all ways to begin and to end.
-void add_tasks(Combinations& all, const std::array<Pose, 4>& from, const std::array<Pose, 4>& to,
+/// Adds a task for each pair of windings.
+void add_tasks(QueryTasks& all, const std::array<Pose, 4>& from, const std::array<Pose, 4>& to,
                const std::array<Windings, 4>& windings, const Stops& stops) {
   std::array<MeanHeading, 4> headings{};
   std::array<double, simd::turns_of_batch> angles{};
@@ -80,32 +81,46 @@ void add_tasks(Combinations& all, const std::array<Pose, 4>& from, const std::ar
 
 }  // namespace
 
-Direct::Direct(const EndsTask& task) noexcept : task_(task) {
-  const double dx = task.to.x - task.from.x, dy = task.to.y - task.from.y;
+UnitQuery unit_query(const ContinuousSteering& steering, const Pose& from, const Pose& to,
+                     const ContinuousQuery& query) {
+  const double radius = steering.radius();
+  const auto bounded = [&](double curvature) { return std::clamp(curvature * radius, -1.0, 1.0); };
+  const bool may_jump = steering.continuity() == Continuity::between_stops;
+  const Stops stops{may_jump && query.start_stands, may_jump, may_jump && query.goal_stands};
+  return {{0, 0, from.heading},
+          {(to.x - from.x) / radius, (to.y - from.y) / radius, to.heading},
+          stops,
+          stops.start ? 0.0 : bounded(query.start_curvature),
+          stops.goal ? 0.0 : bounded(query.goal_curvature),
+          query.cutoff / radius};
+}
+
+DirectTask::DirectTask(const UnitQuery& query) noexcept : query_(query) {
+  const double dx = query.to.x - query.from.x, dy = query.to.y - query.from.y;
   straight_ = std::sqrt(dx * dx + dy * dy);
 }
 
-const WordTask& Direct::task() noexcept {
-  if (!known_) known_.emplace(mean_frame(task_.from, task_.to, 1), Windings{}, task_.stops);
-  return *known_;
+const WordTask& DirectTask::task() noexcept {
+  if (!made_) made_.emplace(mean_frame(query_.from, query_.to, 1), Windings{}, query_.stops);
+  return *made_;
 }
 
-Combinations combinations_of(const WordSolver& solver, const EndsTask& task, const Stops& stops,
-                             Direct& direct) {
-  Combinations all;
+QueryTasks tasks_of(const WordSolver& solver, const UnitQuery& query, const Stops& stops,
+                    DirectTask& direct) {
+  QueryTasks all;
   const bool is_near = direct.is_shorter_than(solver.turns().ramp());
-  all.looked = is_near ? Looked::many : Looked::likely;
-  if (task.start_curvature == 0 && task.goal_curvature == 0) {
+  all.breadth = is_near ? SearchBreadth::many : SearchBreadth::likely;
+  if (query.start_curvature == 0 && query.goal_curvature == 0) {
     all.tasks[0] = direct.task();
     all.tasks[0].stops = stops;
-    all.around[0] = {};
+    all.windings[0] = {};
     all.count = 1;
     return all;
   }
-  const double k0 = task.start_curvature;
-  const double k1 = task.goal_curvature;
-  const auto starts = ends_of(task.from, k0, solver.turns());
-  const auto goals = ends_of(task.to, k1, solver.turns());
+  const double k0 = query.start_curvature;
+  const double k1 = query.goal_curvature;
+  const auto starts = straightened_ends(query.from, k0, solver.turns());
+  const auto goals = straightened_ends(query.to, k1, solver.turns());
   const auto sign = [](double v) { return v < 0 ? -1.0 : 1.0; };
   std::array<Pose, 4> from, to;
   std::array<Windings, 4> windings;
@@ -117,11 +132,11 @@ Combinations combinations_of(const WordSolver& solver, const EndsTask& task, con
                              {sign(back.length), sign(k1), std::abs(back.length)}};
       from[all.count] = starts[i].pose;
       to[all.count] = goals[j].pose;
-      all.around[all.count++] = {first, {0, -back.length, -back.curvature_rate}};
+      all.windings[all.count++] = {first, {0, -back.length, -back.curvature_rate}};
     }
   }
   add_tasks(all, from, to, windings, stops);
   return all;
 }
 
-}  // namespace vandplan::steering
+}  // namespace vandplan::steering::continuous

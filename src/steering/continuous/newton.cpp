@@ -7,12 +7,11 @@
 #include <limits>
 #include <utility>
 
-#include "steering/continuous_word.h"
+#include "steering/continuous/word_solver.h"
 
-namespace vandplan::steering {
+namespace vandplan::steering::continuous {
 namespace {
 
-using reeds_shepp_formulas::Formula;
 using Vector = std::array<double, 3>;
 
 Vector cross(const Vector& a, const Vector& b) {
@@ -22,29 +21,29 @@ double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] 
 
 /// Offset (x, y, heading) from the end of a word to the goal, and derivatives of the end by the
 /// three lengths.
-struct Miss {
-  Vector by{};
-  std::array<Vector, 3> slope{};
+struct Residual {
+  Vector offset{};
+  std::array<Vector, 3> slopes{};
 
   [[nodiscard]] double largest() const {
-    return std::max({std::abs(by[0]), std::abs(by[1]), std::abs(by[2])});
+    return std::max({std::abs(offset[0]), std::abs(offset[1]), std::abs(offset[2])});
   }
 };
 
 /// The turns of a word as they are driven, and the length of its line.
-struct Driven {
+struct DrivenParts {
   const Turned &first, &inner, &next_inner, &last;
   double line;
   const Turned* dip;  ///< turn in place of a line of negative length between turns to the same side
 };
 
 /// Place reached while a word is driven; `turned` is the change of heading so far.
-struct Chain {
+struct Reached {
   double x = 0, y = 0, sin, cos, turned = 0;
 };
 
 /// End of a step, and the derivative of the end (x, y, heading) by the length of the step.
-struct After {
+struct StepEnd {
   double x, y;
   Vector slope;
 };
@@ -56,17 +55,17 @@ constexpr std::size_t length_index(const Steps& steps, std::size_t i) {
   return part == 0 ? 0 : part == 3 ? 2 : part == 1 && has_line ? 3 : 1;
 }
 
-inline After turn(Chain& c, const Turned& t, double gear, double side) {
+inline StepEnd turn(Reached& c, const Turned& t, double gear, double side) {
   const double ahead = gear * t.x, aside = side * t.y;
   c.x += c.cos * ahead - c.sin * aside;
   c.y += c.sin * ahead + c.cos * aside;
   const double sense = gear * side;
   c.turned += sense * t.angle;
   const double slope_ahead = gear * t.slope_x, slope_aside = side * t.slope_y;
-  const After after{c.x,
-                    c.y,
-                    {c.cos * slope_ahead - c.sin * slope_aside,
-                     c.sin * slope_ahead + c.cos * slope_aside, sense * t.angle_slope}};
+  const StepEnd after{c.x,
+                      c.y,
+                      {c.cos * slope_ahead - c.sin * slope_aside,
+                       c.sin * slope_ahead + c.cos * slope_aside, sense * t.angle_slope}};
   const double turn_sin = sense * t.sin;
   const double next = c.cos * t.cos - c.sin * turn_sin;
   c.sin = c.sin * t.cos + c.cos * turn_sin;
@@ -74,7 +73,7 @@ inline After turn(Chain& c, const Turned& t, double gear, double side) {
   return after;
 }
 
-inline After line(Chain& c, double length, double gear) {
+inline StepEnd line(Reached& c, double length, double gear) {
   const double x = gear * c.cos, y = gear * c.sin;
   c.x += length * x;
   c.y += length * y;
@@ -82,7 +81,7 @@ inline After line(Chain& c, double length, double gear) {
 }
 
 template <Formula formula, std::size_t i>
-inline After drive(Chain& c, const Driven& d) {
+inline StepEnd drive(Reached& c, const DrivenParts& d) {
   constexpr const Steps& steps = all_steps[static_cast<std::size_t>(formula)];
   constexpr Step step = steps.list[i];
   if constexpr (step.part == 0) return turn(c, d.first, step.gear, step.turn);
@@ -96,38 +95,38 @@ inline After drive(Chain& c, const Driven& d) {
   }
 }
 
-/// The miss after all steps of a formula, from the first to the second pose of a frame.
+/// The residual after all steps of a formula, from the first to the second pose of a frame.
 template <Formula formula, std::size_t... i>
-Miss miss_of_steps(const Driven& d, const WordFrame& frame, double turn,
-                   std::index_sequence<i...> /*all*/) {
+Residual residual_of_steps(const DrivenParts& d, const WordFrame& frame, double turn,
+                           std::index_sequence<i...> /*all*/) {
   constexpr const Steps& steps = all_steps[static_cast<std::size_t>(formula)];
-  Chain c{.sin = -frame.s, .cos = frame.c};
-  const std::array<After, sizeof...(i)> all{drive<formula, i>(c, d)...};
-  Miss miss{{frame.x - c.x, frame.y - c.y, turn - c.turned}, {}};
-  const auto add = [&](const After& after, std::size_t of) {
+  Reached c{.sin = -frame.s, .cos = frame.c};
+  const std::array<StepEnd, sizeof...(i)> all{drive<formula, i>(c, d)...};
+  Residual residual{{frame.x - c.x, frame.y - c.y, turn - c.turned}, {}};
+  const auto add = [&](const StepEnd& after, std::size_t of) {
     if (of == 3) return;
     const double bend = after.slope[2];  // everything after a turn swings with it
-    miss.slope[of][0] += after.slope[0] - bend * (c.y - after.y);
-    miss.slope[of][1] += after.slope[1] + bend * (c.x - after.x);
-    miss.slope[of][2] += bend;
+    residual.slopes[of][0] += after.slope[0] - bend * (c.y - after.y);
+    residual.slopes[of][1] += after.slope[1] + bend * (c.x - after.x);
+    residual.slopes[of][2] += bend;
   };
   (add(all[i], length_index(steps, i)), ...);
-  return miss;
+  return residual;
 }
 
 template <Formula formula>
-Miss miss_of(const Driven& d, const WordFrame& frame, double turn) {
+Residual residual_of(const DrivenParts& d, const WordFrame& frame, double turn) {
   constexpr std::size_t count = all_steps[static_cast<std::size_t>(formula)].count;
-  return miss_of_steps<formula>(d, frame, turn, std::make_index_sequence<count>());
+  return residual_of_steps<formula>(d, frame, turn, std::make_index_sequence<count>());
 }
 
-using MissOf = Miss (*)(const Driven&, const WordFrame&, double);
+using ResidualOf = Residual (*)(const DrivenParts&, const WordFrame&, double);
 
-constexpr std::array<MissOf, 11> miss_of_formula = {
-    miss_of<Formula::lsl>,   miss_of<Formula::lsr>,       miss_of<Formula::l_r_l>,
-    miss_of<Formula::r_lr>,  miss_of<Formula::lr_lr>,     miss_of<Formula::r_lr_l>,
-    miss_of<Formula::r_lsr>, miss_of<Formula::r_lsl>,     miss_of<Formula::r_lsr_l>,
-    miss_of<Formula::lrl>,   miss_of<Formula::r_lr_wide>,
+constexpr std::array<ResidualOf, 11> residual_of_formula = {
+    residual_of<Formula::lsl>,   residual_of<Formula::lsr>,       residual_of<Formula::l_r_l>,
+    residual_of<Formula::r_lr>,  residual_of<Formula::lr_lr>,     residual_of<Formula::r_lr_l>,
+    residual_of<Formula::r_lsr>, residual_of<Formula::r_lsl>,     residual_of<Formula::r_lsr_l>,
+    residual_of<Formula::lrl>,   residual_of<Formula::r_lr_wide>,
 };
 
 /// The equations that the lengths of a word solve.
@@ -139,75 +138,75 @@ class Equations {
         shape_(shape_of(word.formula, word.stops)),
         frame_(frame),
         turn_(turn),
-        miss_(miss_of_formula[static_cast<std::size_t>(word.formula)]) {
+        residual_of_(residual_of_formula[static_cast<std::size_t>(word.formula)]) {
     if (shape_.quarters > 0) quarter_ = turns_.turn(word.quarter, shape_.ends[1]);
     if (shape_.quarters > 1) next_quarter_ = turns_.turn(word.quarter, shape_.ends[3]);
   }
 
-  [[nodiscard]] const Shape& shape() const { return shape_; }
+  [[nodiscard]] const WordShape& shape() const { return shape_; }
 
-  /// Scale of the task: a miss is small if it is small beside this number.
+  /// Scale of the task: a residual is small if it is small beside this number.
   [[nodiscard]] double size() const { return 1 + std::abs(frame_.x) + std::abs(frame_.y); }
 
-  [[nodiscard]] Miss miss(const Vector& lengths) const {
+  [[nodiscard]] Residual residual(const Vector& lengths) const {
     const auto& ends = shape_.ends;
     const std::size_t end = shape_.steps.count - 1;
     const Turned first = turns_.turn(lengths[0], ends[0]);
     const Turned last = turns_.turn(lengths[2], ends[end]);
     if (shape_.has_line) {
-      const Driven driven{first, quarter_, next_quarter_, last, lengths[1], nullptr};
-      return shape_.may_dip && lengths[1] < 0 ? miss_with_dip(driven)
-                                              : miss_(driven, frame_, turn_);
+      const DrivenParts driven{first, quarter_, next_quarter_, last, lengths[1], nullptr};
+      return shape_.may_dip && lengths[1] < 0 ? residual_with_dip(driven)
+                                              : residual_of_(driven, frame_, turn_);
     }
     const Turned inner = turns_.turn(lengths[1], ends[1]);
     if (end < 3 || ends[2] == ends[1]) {
-      return miss_({first, inner, inner, last, 0, nullptr}, frame_, turn_);
+      return residual_of_({first, inner, inner, last, 0, nullptr}, frame_, turn_);
     }
     const Turned next_inner = turns_.turn(lengths[1], ends[2]);
-    return miss_({first, inner, next_inner, last, 0, nullptr}, frame_, turn_);
+    return residual_of_({first, inner, next_inner, last, 0, nullptr}, frame_, turn_);
   }
 
  private:
-  [[nodiscard]] Miss miss_with_dip(Driven driven) const {
-    const Turned dip = turns_.turn(driven.line, Ends::rolling);
+  [[nodiscard]] Residual residual_with_dip(DrivenParts driven) const {
+    const Turned dip = turns_.turn(driven.line, TurnEnds::rolling);
     driven.dip = &dip;
-    return miss_(driven, frame_, turn_);
+    return residual_of_(driven, frame_, turn_);
   }
 
   const SharpTurns& turns_;
-  const Shape& shape_;
+  const WordShape& shape_;
   const WordFrame& frame_;
   double turn_;
-  MissOf miss_;
+  ResidualOf residual_of_;
   Turned quarter_, next_quarter_;
 };
 
-/// Change of the lengths that removes the linearised miss; nothing if the derivatives are
+/// Change of the lengths that removes the linearised residual; nothing if the derivatives are
 /// dependent.
-std::optional<Vector> newton_step(const Miss& miss) {
-  const auto& [a, b, c] = miss.slope;
+std::optional<Vector> newton_step(const Residual& residual) {
+  const auto& [a, b, c] = residual.slopes;
   const Vector bc = cross(b, c);
   const double det = dot(a, bc);
   if (det == 0) return std::nullopt;
   const double scale = 1 / det;
-  return Vector{dot(miss.by, bc) * scale, dot(miss.by, cross(c, a)) * scale,
-                dot(miss.by, cross(a, b)) * scale};
+  return Vector{dot(residual.offset, bc) * scale, dot(residual.offset, cross(c, a)) * scale,
+                dot(residual.offset, cross(a, b)) * scale};
 }
 
-/// Largest component of the linearised miss that a change of the lengths leaves. It is rounding,
-/// unless the equations are nearly dependent.
-double left_by(const Miss& miss, const Vector& change) {
+/// Largest component of the linearised residual that a change of the lengths leaves. It is
+/// rounding, unless the equations are nearly dependent.
+double left_by(const Residual& residual, const Vector& change) {
   double most = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto& [a, b, c] = miss.slope;
+    const auto& [a, b, c] = residual.slopes;
     const double moved = change[0] * a[i] + change[1] * b[i] + change[2] * c[i];
-    most = std::max(most, std::abs(miss.by[i] - moved));
+    most = std::max(most, std::abs(residual.offset[i] - moved));
   }
   return most;
 }
 
 /// New length of a turn that never reaches full lock, for a Newton step taken in its angle. Beside
-/// a line the miss is nearly linear in the angle, which is as the square of the length.
+/// a line the residual is nearly linear in the angle, which is as the square of the length.
 double by_angle(double length, double change) {
   const double square = length * (length + 2 * change);
   if (length < 0) return square > 0 ? -std::sqrt(square) : std::sqrt(-square);
@@ -216,44 +215,44 @@ double by_angle(double length, double change) {
 
 }  // namespace
 
-void WordSolver::leave_out_crumbs(SolvedWord& word, const WordFrame& frame,
-                                  double turn) const noexcept {
-  constexpr double crumb = 1e-6;  // [turning radii]; turns this short hardly change the heading
+void WordSolver::drop_vanishing_parts(SolvedWord& word, const WordFrame& frame,
+                                      double turn) const noexcept {
+  constexpr double vanishing = 1e-6;  // [turning radii]; turns this short hardly change the heading
   for (std::size_t i = 0; i < 3; ++i) {
-    if (word.lengths[i] == 0 || std::abs(word.lengths[i]) > crumb) continue;
+    if (word.lengths[i] == 0 || std::abs(word.lengths[i]) > vanishing) continue;
     SolvedWord rest = word;
     rest.lengths[i] = 0;
-    if (close_without(i, rest, frame, turn) && is_drivable(rest)) word = rest;
+    if (find_root_without(i, rest, frame, turn) && is_drivable(rest)) word = rest;
   }
 }
 
-bool WordSolver::close_without(std::size_t part, SolvedWord& word, const WordFrame& frame,
-                               double turn) const noexcept {
-  constexpr int most_steps = 4;
-  constexpr double exact = 1e-12;  // relative miss; a crumb at small curvature adds no more
+bool WordSolver::find_root_without(std::size_t part, SolvedWord& word, const WordFrame& frame,
+                                   double turn) const noexcept {
+  constexpr int max_steps = 4;
+  constexpr double exact = 1e-12;  // relative residual; a tiny part at small curvature adds no more
   const Equations equations(turns_, word, frame, turn);
   const std::size_t i = (part + 1) % 3;
   const std::size_t j = (part + 2) % 3;
-  for (int step = 0; step < most_steps; ++step) {
-    const Miss miss = equations.miss(word.lengths);
-    if (miss.largest() <= exact * equations.size()) return true;
+  for (int step = 0; step < max_steps; ++step) {
+    const Residual residual = equations.residual(word.lengths);
+    if (residual.largest() <= exact * equations.size()) return true;
     // Three equations for two lengths: least squares.
-    const Vector& a = miss.slope[i];
-    const Vector& b = miss.slope[j];
+    const Vector& a = residual.slopes[i];
+    const Vector& b = residual.slopes[j];
     const Vector normal = cross(a, b);
     const double square = dot(normal, normal);
-    word.lengths[i] += dot(cross(miss.by, b), normal) / square;
-    word.lengths[j] += dot(cross(a, miss.by), normal) / square;
+    word.lengths[i] += dot(cross(residual.offset, b), normal) / square;
+    word.lengths[j] += dot(cross(a, residual.offset), normal) / square;
     if (!(std::abs(word.lengths[i]) + std::abs(word.lengths[j]) < 1e100)) return false;
   }
   return false;
 }
 
-bool WordSolver::is_hopeless(const SolvedWord& word, const Shape& shape, double moved,
-                             const Patience& patience) const noexcept {
-  // Both numbers are measured: with less room, words are lost.
+bool WordSolver::is_hopeless(const SolvedWord& word, const WordShape& shape, double moved,
+                             const NewtonLimits& limits) const noexcept {
+  // Both numbers are measured: with smaller ones, words are lost.
   constexpr double near = 0.3;  // share of a turn or clothoid; the steps after it are far smaller
-  constexpr double room = 2;    // how far lengths may still move, in steps like the last
+  constexpr double steps = 2;   // how far lengths may still move, in steps like the last
   const double ramp = turns_.ramp();
   const double inner = shape.has_line ? 0 : std::abs(word.lengths[1]);
   const double turn = std::max({std::abs(word.lengths[0]), inner, std::abs(word.lengths[2])});
@@ -261,20 +260,20 @@ bool WordSolver::is_hopeless(const SolvedWord& word, const Shape& shape, double 
   double length = shape.quarters * word.quarter;
   for (std::size_t i = 0; i < 3; ++i) {
     length += shape.counts[i] * word.lengths[i];
-    const double least = shape.least[i] * ramp - 1e-6;  // crumbs are left out later
-    if (word.lengths[i] + 2 * room * moved < least) return true;
+    const double least = shape.min_lengths[i] * ramp - 1e-6;  // vanishing parts are left out later
+    if (word.lengths[i] + 2 * steps * moved < least) return true;
   }
   double bonus = 0;
-  const double at_most = 2 * room * moved;
-  if (word.lengths[0] + at_most >= patience.first.least_length) bonus += patience.first.longer;
-  if (word.lengths[2] + at_most >= patience.last.least_length) bonus += patience.last.longer;
+  const double at_most = 2 * steps * moved;
+  if (word.lengths[0] + at_most >= limits.first.min_length) bonus += limits.first.longer;
+  if (word.lengths[2] + at_most >= limits.last.min_length) bonus += limits.last.longer;
   const bool may_vanish = std::min(word.lengths[0], word.lengths[2]) - at_most < 1e-6;
-  if (may_vanish) bonus = std::max(bonus, patience.if_one_vanishes);
-  return length - room * moved > patience.longest + bonus + 1e-9;
+  if (may_vanish) bonus = std::max(bonus, limits.if_one_vanishes);
+  return length - steps * moved > limits.max_length + bonus + 1e-9;
 }
 
-double WordSolver::move(SolvedWord& word, const Shape& shape, const std::array<double, 3>& change,
-                        double part) const noexcept {
+double WordSolver::take_step(SolvedWord& word, const WordShape& shape,
+                             const std::array<double, 3>& change, double part) const noexcept {
   double moved = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     double& length = word.lengths[i];
@@ -286,17 +285,17 @@ double WordSolver::move(SolvedWord& word, const Shape& shape, const std::array<d
   return moved;
 }
 
-bool WordSolver::close(SolvedWord& word, const WordFrame& frame, double turn,
-                       const Patience& patience) const noexcept {
+bool WordSolver::find_root(SolvedWord& word, const WordFrame& frame, double turn,
+                           const NewtonLimits& limits) const noexcept {
   const Equations equations(turns_, word, frame, turn);
-  const Shape& shape = equations.shape();
+  const WordShape& shape = equations.shape();
   const double rounding = 1e-13 * equations.size();
-  const bool gives_up = patience.longest < std::numeric_limits<double>::infinity();
+  const bool gives_up = limits.max_length < std::numeric_limits<double>::infinity();
   double best = std::numeric_limits<double>::infinity();
   Vector best_lengths{};
-  for (int step = 0; step < patience.most_steps; ++step) {
-    const Miss miss = equations.miss(word.lengths);
-    const double error = miss.largest();
+  for (int step = 0; step < limits.max_steps; ++step) {
+    const Residual residual = equations.residual(word.lengths);
+    const double error = residual.largest();
     if (!(error < 1e100)) return false;
     if (error < best) {
       best = error;
@@ -304,7 +303,7 @@ bool WordSolver::close(SolvedWord& word, const WordFrame& frame, double turn,
     } else if (best <= rounding) {
       break;
     }
-    const auto change = newton_step(miss);
+    const auto change = newton_step(residual);
     if (!change) break;
     double largest = 0, part = 1;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -317,14 +316,14 @@ bool WordSolver::close(SolvedWord& word, const WordFrame& frame, double turn,
     if (largest <= small_step_) {
       // A tiny step far from the goal: these lengths cannot lead there.
       if (error > 1e-6 * equations.size()) return false;
-      if (left_by(miss, *change) <= rounding) {
+      if (left_by(residual, *change) <= rounding) {
         for (std::size_t i = 0; i < 3; ++i) word.lengths[i] += (*change)[i];
-        return !gives_up || !is_hopeless(word, shape, largest, patience);
+        return !gives_up || !is_hopeless(word, shape, largest, limits);
       }
     }
-    const double moved = move(word, shape, *change, part);
+    const double moved = take_step(word, shape, *change, part);
     if (gives_up &&
-        (part < 1 ? step >= patience.most_limited : is_hopeless(word, shape, moved, patience))) {
+        (part < 1 ? step >= limits.max_limited_steps : is_hopeless(word, shape, moved, limits))) {
       return false;
     }
   }
@@ -332,4 +331,4 @@ bool WordSolver::close(SolvedWord& word, const WordFrame& frame, double turn,
   return best <= rounding;
 }
 
-}  // namespace vandplan::steering
+}  // namespace vandplan::steering::continuous

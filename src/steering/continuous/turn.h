@@ -10,10 +10,10 @@
 
 #include "base/trigonometry.h"
 
-namespace vandplan::steering {
+namespace vandplan::steering::continuous {
 
 /// How the curvature is at either end of a turn: 0, or free because the vehicle stands there.
-enum class Ends { rolling, stands_before, stands_after, stands_at_both };
+enum class TurnEnds { rolling, stands_before, stands_after, stands_at_both };
 
 /// Places of a path where the curvature may jump because the vehicle stands.
 struct Stops {
@@ -26,6 +26,9 @@ struct Stops {
   /// Stops of the way from the goal to the start.
   [[nodiscard]] Stops swapped() const noexcept { return {goal, inside, start}; }
 };
+
+/// Whether the curvature may jump inside, but not at both ends: on a leg of a longer way.
+inline bool is_leg(const Stops& stops) { return stops.inside && !(stops.start && stops.goal); }
 
 /// Displacement along a left turn driven forward, with derivatives by its length. A negative length
 /// is the left turn in reverse: chord and angle are odd functions of the length.
@@ -68,25 +71,25 @@ class SharpTurns {
   [[nodiscard]] double skew() const noexcept { return skew_; }
 
   /// The turn of a length, to the left; in reverse if the length is negative.
-  [[nodiscard]] Turned turn(double length, Ends ends) const noexcept;
+  [[nodiscard]] Turned turn(double length, TurnEnds ends) const noexcept;
 
   /// Length of all clothoids of a turn that reaches full lock.
-  [[nodiscard]] double ramps_of(Ends ends) const noexcept {
-    return ends == Ends::rolling ? 2 * ramp_ : ends == Ends::stands_at_both ? 0 : ramp_;
+  [[nodiscard]] double ramps_of(TurnEnds ends) const noexcept {
+    return ends == TurnEnds::rolling ? 2 * ramp_ : ends == TurnEnds::stands_at_both ? 0 : ramp_;
   }
 
   /// The length of the turn by `angle` >= 0.
-  [[nodiscard]] double length_of(double angle, Ends ends) const noexcept;
+  [[nodiscard]] double length_of(double angle, TurnEnds ends) const noexcept;
 
   /// The largest curvature on a turn of a length.
-  [[nodiscard]] double peak(double length, Ends ends) const noexcept;
+  [[nodiscard]] double peak(double length, TurnEnds ends) const noexcept;
 
   /// End of a clothoid of `length` >= 0 that begins straight and turns left.
   [[nodiscard]] Point clothoid(double length) const noexcept;
 
  private:
   struct Chord {
-    double way, slope;  ///< length of the chord, and its derivative by the length of the turn
+    double length, slope;  ///< slope: derivative by the length of the turn
   };
   /// Chord of two clothoids, of `length` >= 0 together, that turn by `half_angle` each.
   [[nodiscard]] Chord chord(double length, double half_angle,
@@ -126,4 +129,4 @@ struct Joints {
   double skew;   ///< angle of that direction off the perpendicular [rad]
 };
 
-}  // namespace vandplan::steering
+}  // namespace vandplan::steering::continuous

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "steering/continuous_wanted.h"
+#include "steering/continuous/priced_pieces.h"
 
 #include <gtest/gtest.h>
 
@@ -60,28 +60,30 @@ ContinuousCase drawn_case(Rng& rng) {
 std::vector<Piece> words_of(const ContinuousCase& c, int gear_changes, double longest,
                             int first_gear = 0, int last_gear = 0) {
   std::vector<Piece> words;
-  const std::array ends{steering::WantedEnds{c.query, first_gear, last_gear}};
-  steering::for_wanted_words(c.steering, c.pair.from, c.pair.to, ends, {gear_changes, longest},
-                             [&](const Piece& word, std::size_t) {
-                               if (word.length < longest) words.push_back(word);
-                               return longest;
-                             });
+  const std::array ends{steering::continuous::PieceEnds{c.query, first_gear, last_gear}};
+  steering::continuous::for_priced_pieces(c.steering, c.pair.from, c.pair.to, ends,
+                                          {gear_changes, longest},
+                                          [&](const Piece& word, std::size_t) {
+                                            if (word.length < longest) words.push_back(word);
+                                            return longest;
+                                          });
   return words;
 }
 
 /// The least cost of a word with so many gear changes, as the search for it finds it.
 double cheapest(const ContinuousCase& c, const Prices& prices, int gear_changes, double cutoff) {
-  const std::array ends{steering::WantedEnds{c.query}};
+  const std::array ends{steering::continuous::PieceEnds{c.query}};
   double least = cutoff;
-  steering::for_wanted_words(c.steering, c.pair.from, c.pair.to, ends,
-                             {gear_changes, cutoff, 1.0, prices.reverse, prices.gear_change},
-                             [&](const Piece& word, std::size_t) {
-                               return least = std::min(least, cost(word, c, prices));
-                             });
+  steering::continuous::for_priced_pieces(
+      c.steering, c.pair.from, c.pair.to, ends,
+      {gear_changes, cutoff, 1.0, prices.reverse, prices.gear_change},
+      [&](const Piece& word, std::size_t) {
+        return least = std::min(least, cost(word, c, prices));
+      });
   return least;
 }
 
-TEST(ContinuousWanted, WordsAreDrivableAndShortEnough) {
+TEST(ContinuousPriced, WordsAreDrivableAndShortEnough) {
   for_each_continuous_case(1, 100'000, [](const ContinuousCase& c, Rng& rng) {
     const double longest =
         c.steering.length(c.pair.from, c.pair.to, c.query) * any_size(0.9, 4, rng);
@@ -94,7 +96,7 @@ TEST(ContinuousWanted, WordsAreDrivableAndShortEnough) {
   });
 }
 
-TEST(ContinuousWanted, CheapestIsThatOfAllCandidates) {
+TEST(ContinuousPriced, CheapestIsThatOfAllCandidates) {
   int all = 0, equal = 0, near = 0;
   for_each_case(2, 2000, [&](Rng& rng) {
     const ContinuousCase c = drawn_case(rng);
@@ -115,7 +117,7 @@ TEST(ContinuousWanted, CheapestIsThatOfAllCandidates) {
   EXPECT_GE(near, all * 0.995 - 1);
 }
 
-TEST(ContinuousWanted, WithoutGearChangeThereIsOneGear) {
+TEST(ContinuousPriced, WithoutGearChangeThereIsOneGear) {
   for_each_case(3, 2000, [](Rng& rng) {
     ContinuousCase c = drawn_case(rng);
     c.query.start_curvature = c.query.goal_curvature = 0;
@@ -129,7 +131,7 @@ TEST(ContinuousWanted, WithoutGearChangeThereIsOneGear) {
   });
 }
 
-TEST(ContinuousWanted, StraightOnIsOneLine) {
+TEST(ContinuousPriced, StraightOnIsOneLine) {
   const ContinuousSteering steering(law_radius, 0.11, Continuity::throughout);
   const DrawnPair pair{{0, 0, 0}, {5, 0, 0}};
   const std::vector<Piece> words = words_of({steering, pair, {}}, 0, 6);
@@ -141,17 +143,17 @@ TEST(ContinuousWanted, StraightOnIsOneLine) {
 }
 
 // Straight on, 5 m. What is driven before and after is part of the cost.
-TEST(ContinuousWanted, WhatCostsTooMuchIsLeftOut) {
+TEST(ContinuousPriced, WhatCostsTooMuchIsLeftOut) {
   const ContinuousSteering steering(law_radius, 0.11, Continuity::between_stops);
   const auto count = [&](double x, int before, int after, double cutoff) {
-    const std::array ends{steering::WantedEnds{}};
+    const std::array ends{steering::continuous::PieceEnds{}};
     int words = 0;
-    steering::for_wanted_words(steering, {0, 0, 0}, {x, 0, 0}, ends,
-                               {0, cutoff, 1.0, 2.0, 3.0, before, after},
-                               [&](const Piece&, std::size_t) {
-                                 ++words;
-                                 return 0.0;
-                               });
+    steering::continuous::for_priced_pieces(steering, {0, 0, 0}, {x, 0, 0}, ends,
+                                            {0, cutoff, 1.0, 2.0, 3.0, before, after},
+                                            [&](const Piece&, std::size_t) {
+                                              ++words;
+                                              return 0.0;
+                                            });
     return words;
   };
   EXPECT_EQ(count(5, 1, 1, 5.1), 1);
@@ -165,7 +167,7 @@ TEST(ContinuousWanted, WhatCostsTooMuchIsLeftOut) {
 }
 
 // By the arcs of Reeds and Shepp the first of all words is the least one nearly always.
-TEST(ContinuousWanted, TheLeastComeFirst) {
+TEST(ContinuousPriced, TheLeastComeFirst) {
   int all = 0, first = 0;
   for_each_case(6, 2000, [&](Rng& rng) {
     ContinuousCase c = drawn_case(rng);
@@ -183,7 +185,7 @@ TEST(ContinuousWanted, TheLeastComeFirst) {
 }
 
 // Who knows how the path begins and ends gets those words of all that begin and end so.
-TEST(ContinuousWanted, GearsAtTheEndsLeaveOutTheOthers) {
+TEST(ContinuousPriced, GearsAtTheEndsLeaveOutTheOthers) {
   for_each_continuous_case(5, 20'000, [](const ContinuousCase& c, Rng& rng) {
     if (c.query.start_curvature != 0 || c.query.goal_curvature != 0) return;
     const int changes = static_cast<int>(rng() % 3);
