@@ -13,7 +13,7 @@
 #include <numbers>
 #include <vector>
 
-#include "planners/anytime/fastest.h"
+#include "planners/anytime/cheapest_drive.h"
 #include "support/cases.h"
 #include "support/continuity.h"
 #include "support/draws.h"
@@ -491,17 +491,17 @@ TEST(Bending, SavesWhatTheMeasureOfDrivesSays) {
   const Task task = task_of(problem, {}, Steering::continuous);
   const auto of_drive = [](std::span<const Segment> segments) { return bent_squared(segments); };
   const auto of_route = [](const Route& route) { return bent_squared(path_of(route).segments); };
-  anytime::Fastest words(task, priced, 1, of_route);
-  anytime::Fastest drives(task, priced, 1, of_route, of_drive);
-  for (anytime::Fastest* fastest : {&words, &drives}) {
-    EXPECT_TRUE(fastest->offer(word_route(task)));
+  anytime::CheapestDrive words(task, priced, 1, of_route);
+  anytime::CheapestDrive drives(task, priced, 1, of_route, of_drive);
+  for (anytime::CheapestDrive* drive : {&words, &drives}) {
+    EXPECT_TRUE(drive->offer(word_route(task)));
     for (int i = 0; i < 1500; ++i) {
-      const double cost = fastest->cost();
-      const bool fell = fastest->step();
-      EXPECT_EQ(fell, fastest->cost() < cost);
+      const double cost = drive->cost();
+      const bool fell = drive->step();
+      EXPECT_EQ(fell, drive->cost() < cost);
     }
-    EXPECT_NEAR(bent_squared(fastest->segments()), fastest->cost(), 1e-9);
-    expect_continuous({task.start, fastest->segments()}, problem, Steering::continuous);
+    EXPECT_NEAR(bent_squared(drive->segments()), drive->cost(), 1e-9);
+    expect_continuous({task.start, drive->segments()}, problem, Steering::continuous);
   }
   EXPECT_LT(drives.cost(), 0.95 * words.cost());
 }

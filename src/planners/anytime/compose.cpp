@@ -12,8 +12,8 @@
 
 #include "planners/anytime/bend_worker.h"
 #include "planners/anytime/chain.h"
+#include "planners/anytime/cheapest_drive_worker.h"
 #include "planners/anytime/detours.h"
-#include "planners/anytime/fastest_worker.h"
 #include "planners/anytime/proposals.h"
 #include "planners/anytime/provers.h"
 #include "planners/anytime/refiner.h"
@@ -68,8 +68,8 @@ constexpr std::uint64_t trees = 2;
 constexpr std::uint64_t refine = 3;
 constexpr std::uint64_t detours = 5;
 constexpr std::uint64_t bend = 6;
-constexpr std::uint64_t fastest = 7;
-constexpr std::uint64_t survey = 7;
+constexpr std::uint64_t cheapest_drive = 7;
+constexpr std::uint64_t survey = 7;  // no run has both: another number would change answers
 constexpr std::uint64_t proposals = 8;
 }  // namespace stream
 
@@ -102,7 +102,7 @@ class Composer {
   void add_detours();
   void add_survey();
   void add_wall_prover();
-  void add_fastest();
+  void add_cheapest_drive();
   void add_proposals(const NamedSource& source, std::uint64_t number);
   void feed(std::string_view listener);
 
@@ -303,11 +303,13 @@ void Composer::add_wall_prover() {
 }
 
 // [8b] Adds the worker that judges routes by the whole drive.
-void Composer::add_fastest() {
-  Slot& slot = add(
-      "fastest",
-      std::make_unique<FastestWorker>(task_, *pricing_, pricing_->is_time(), seed(stream::fastest)),
-      [](const Progress& now) { return growing_share(shares::fastest, now.rounds_with_route); });
+void Composer::add_cheapest_drive() {
+  Slot& slot = add("cheapest drive",
+                   std::make_unique<CheapestDriveWorker>(task_, *pricing_, pricing_->is_time(),
+                                                         seed(stream::cheapest_drive)),
+                   [](const Progress& now) {
+                     return growing_share(shares::cheapest_drive, now.rounds_with_route);
+                   });
   slot.phase = Phase::after;
 }
 
@@ -352,10 +354,10 @@ Portfolio Composer::portfolio() && {
   if (bend_) add("bend", std::move(bend_), share(shares::bend));
   if (looks_around_) add_survey();
   add_wall_prover();
-  if (pricing_->counts_time()) add_fastest();
+  if (pricing_->counts_time()) add_cheapest_drive();
   for (std::size_t i = 0; i < sources_.size(); ++i) add_proposals(sources_[i], i);
   feed("bend");
-  feed("fastest");
+  feed("cheapest drive");
   portfolio_.pricing = std::move(pricing_);
   return std::move(portfolio_);
 }

@@ -58,8 +58,9 @@ inline constexpr std::int64_t far_cycle = 4;
 /// Iterations of the detours in each of their rounds.
 inline constexpr std::int64_t far_detours = 4096;
 
-/// Trials in a round of "fastest", the worker that compares routes by the cost of the whole drive.
-inline constexpr std::int64_t fastest = 192;
+/// Trials in a round of "cheapest drive", the worker that compares routes by the cost of the whole
+/// drive.
+inline constexpr std::int64_t cheapest_drive = 192;
 
 }  // namespace shares
 

@@ -16,14 +16,14 @@
 namespace vandplan::anytime {
 
 /// Keeps the cheapest route by a measure of the whole drive, and makes it cheaper by random trials.
-class Fastest {
+class CheapestDrive {
  public:
   using Measure = std::function<double(const Route&)>;
 
   /// `rule`: prices like the measure, by which routes are found and steered. With a
   /// `measure_of_drive` routes are bent, too.
-  Fastest(const Task& task, const CostRule& rule, std::uint64_t seed, Measure measure,
-          const Bender::Measure& measure_of_drive = {});
+  CheapestDrive(const Task& task, const CostRule& rule, std::uint64_t seed, Measure measure,
+                const Bender::Measure& measure_of_drive = {});
 
   /// Takes a route over if it is cheaper than the one so far. A route that is a little dearer is
   /// kept and shortened later. True if the cheapest drive got cheaper.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "planners/anytime/fastest.h"
+#include "planners/anytime/cheapest_drive.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +23,8 @@ constexpr double hopeless_challenge = 20;  // relative excess times trials that 
 
 }  // namespace
 
-Fastest::Fastest(const Task& task, const CostRule& rule, std::uint64_t seed, Measure measure,
-                 const Bender::Measure& measure_of_drive)
+CheapestDrive::CheapestDrive(const Task& task, const CostRule& rule, std::uint64_t seed,
+                             Measure measure, const Bender::Measure& measure_of_drive)
     : measure_(std::move(measure)),
       seed_(seed),
       cost_(std::numeric_limits<double>::infinity()),
@@ -44,17 +44,17 @@ Fastest::Fastest(const Task& task, const CostRule& rule, std::uint64_t seed, Mea
 }
 
 // Goes on with the cheapest route and the next curvature rate.
-void Fastest::begin() {
+void CheapestDrive::begin() {
   begin_with(*route_);
   is_challenger_ = false;
 }
 
-void Fastest::begin_with(const Route& route) {
+void CheapestDrive::begin_with(const Route& route) {
   Connector& connector = connectors_[beginnings_ % connectors_.size()];
   shortener_.emplace(connector, route, stream_seed(seed_, ++beginnings_), Scope::all, measure_);
 }
 
-bool Fastest::offer(Route route) {
+bool CheapestDrive::offer(Route route) {
   route.cost = measure_(route);
   if (route.cost < worth_a_challenge * cost_) {
     for (Bender& bender : benders_) bender.offer(route);
@@ -72,7 +72,7 @@ bool Fastest::offer(Route route) {
 }
 
 // Shortens the newest challenger, which may become cheaper than the best route.
-void Fastest::challenge() {
+void CheapestDrive::challenge() {
   const Route route = std::move(challengers_.back());
   challengers_.pop_back();
   begin_with(route);
@@ -81,7 +81,7 @@ void Fastest::challenge() {
 }
 
 // One trial of the next bender. True if it gives the cheapest drive so far.
-bool Fastest::bend() {
+bool CheapestDrive::bend() {
   const bool is_turn_of_best = bends_ % 2 == 0 && std::isfinite(bent_cost_);
   const std::size_t i = is_turn_of_best ? best_bender_ : bends_ / 2 % benders_.size();
   ++bends_;
@@ -91,12 +91,12 @@ bool Fastest::bend() {
   return true;
 }
 
-std::vector<Segment> Fastest::segments() const {
+std::vector<Segment> CheapestDrive::segments() const {
   if (!(bent_cost_ < cost_)) return path_of(*route_).segments;
   return benders_[best_bender_].segments();
 }
 
-bool Fastest::step() {
+bool CheapestDrive::step() {
   if (!shortener_) return false;
   if (!benders_.empty() && ++steps_ % bending_period == 0) return bend();
   ++trials_;
@@ -115,13 +115,13 @@ bool Fastest::step() {
   return cost_ < bent_cost_;
 }
 
-std::int64_t Fastest::solves() const {
+std::int64_t CheapestDrive::solves() const {
   std::int64_t sum = 0;
   for (const Connector& connector : connectors_) sum += connector.solves();
   return sum;
 }
 
-std::int64_t Fastest::checks() const {
+std::int64_t CheapestDrive::checks() const {
   std::int64_t sum = 0;
   for (const Connector& connector : connectors_) sum += connector.checks();
   for (const Bender& bender : benders_) sum += bender.checks();

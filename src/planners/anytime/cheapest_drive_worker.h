@@ -6,28 +6,29 @@
 #include <cstdint>
 #include <vector>
 
-#include "planners/anytime/fastest.h"
+#include "planners/anytime/cheapest_drive.h"
 #include "planners/anytime/worker.h"
 #include "planners/pricing.h"
 
 namespace vandplan::anytime {
 
 /// Makes drives along the routes of all workers cheaper, judged by the cost of the whole drive.
-class FastestWorker final : public Worker {
+class CheapestDriveWorker final : public Worker {
  public:
   /// With `bends` drives are bent, too; the clearance of bent drives has no price. The task and the
   /// pricing outlive the worker.
-  FastestWorker(const Task& task, const planning::Pricing& pricing, bool bends, std::uint64_t seed);
+  CheapestDriveWorker(const Task& task, const planning::Pricing& pricing, bool bends,
+                      std::uint64_t seed);
 
   [[nodiscard]] bool has_work() const override { return true; }
   [[nodiscard]] Found work(std::int64_t iterations, const Told& told,
                            const Budget& budget) override;
   /// Keeps a route for the next round, where it comes after the best route.
   void offer(const Route& route) override { offers_.push_back(route); }
-  [[nodiscard]] Counts counts() const override { return {fastest_.solves(), fastest_.checks()}; }
+  [[nodiscard]] Counts counts() const override { return {cheapest_.solves(), cheapest_.checks()}; }
 
  private:
-  Fastest fastest_;
+  CheapestDrive cheapest_;
   std::vector<Route> offers_;  // routes for the next round
 };
 
