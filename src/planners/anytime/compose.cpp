@@ -48,12 +48,12 @@ constexpr std::int64_t settled_steps_with_bending = 8;
 
 /// Round from which the wall prover works, if there is no route. Most runs have a route by then.
 /// Over a whole site its steps are slower.
-constexpr std::int64_t first_look = 3;
-constexpr std::int64_t first_look_far = 99;
+constexpr std::int64_t first_wall_round = 3;
+constexpr std::int64_t first_wall_round_far = 99;
 /// Steps of the wall prover in a round. Most walls are found in its first rounds.
-constexpr std::int64_t early_looks = 32;
-constexpr std::int64_t late_looks = 3;
-constexpr std::int64_t rounds_of_early_looks = 2;
+constexpr std::int64_t early_wall_steps = 32;
+constexpr std::int64_t late_wall_steps = 3;
+constexpr std::int64_t rounds_of_early_wall_steps = 2;
 
 /// Least length of strokes where seconds have a price beside others [m].
 constexpr double shortest_stroke = 0.1;
@@ -296,9 +296,9 @@ void Composer::add_wall_prover() {
   Slot& slot =
       add("wall prover",
           std::make_unique<WallProver>(std::vector<WallProver::Body>{{&task_, "vehicle"}}), never);
-  slot.proofs = [first = is_far_ ? first_look_far : first_look](const Progress& now) {
+  slot.proofs = [first = is_far_ ? first_wall_round_far : first_wall_round](const Progress& now) {
     if (now.has_route || now.rounds < first) return std::int64_t{0};
-    return now.rounds < first + rounds_of_early_looks ? early_looks : late_looks;
+    return now.rounds < first + rounds_of_early_wall_steps ? early_wall_steps : late_wall_steps;
   };
 }
 
