@@ -252,10 +252,10 @@ TEST(Survey, GivesTheFirstWayAtOnce) {
     ASSERT_TRUE(survey.is_glance());
   }
   EXPECT_FALSE(survey.is_glance());
-  EXPECT_TRUE(survey.is_first_look());
+  EXPECT_TRUE(survey.is_first_pass());
   expect_valid(problem, rules[1], survey.route());
   int others = 0;
-  for (; survey.is_first_look(); ++others) (void)survey.step();
+  for (; survey.is_first_pass(); ++others) (void)survey.step();
   EXPECT_LT(first, others / 2);
 }
 

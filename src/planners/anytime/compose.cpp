@@ -82,7 +82,7 @@ class Composer {
 
  private:
   [[nodiscard]] bool is_continuous() const { return task_.steering != Steering::reeds_shepp; }
-  [[nodiscard]] bool has_relaxed() const { return looks_around_ && is_continuous(); }
+  [[nodiscard]] bool has_relaxed() const { return has_survey_ && is_continuous(); }
   [[nodiscard]] std::uint64_t seed(std::uint64_t stream) const {
     return stream_seed(options_.budget.seed, stream);
   }
@@ -117,7 +117,7 @@ class Composer {
   bool bends_;                        // whether bending may make routes cheaper
   bool has_gap_;                      // whether a gap is to be proven
   bool is_warm_ = false;              // whether the run begins with a route along a known path
-  bool looks_around_ = false;         // whether the survey looks for routes of other kinds
+  bool has_survey_ = false;           // whether a survey finds routes of other kinds
   std::unique_ptr<BendWorker> bend_;  // bends routes; null if none are bent
   Portfolio portfolio_;
 };
@@ -144,7 +144,7 @@ Composer::Composer(const Task& task, const PlanOptions& options, double time_pri
   if (bends_) bend_ = std::make_unique<BendWorker>(task, rule_, seed(stream::bend));
   portfolio_.routes = open_ways(task, rule_);  // [1]
   if (given.known != nullptr) take_known(*given.known);
-  looks_around_ = bends_ && !has_gap_ && !is_warm_ && !rule_.is_length();
+  has_survey_ = bends_ && !has_gap_ && !is_warm_ && !rule_.is_length();
 }
 
 FinishRules Composer::finish_rules() const {
@@ -275,15 +275,15 @@ void Composer::add_survey() {
   const Task& task = has_relaxed() ? *portfolio_.relaxed : task_;
   auto worker = seeker(task, stream::survey,
                        [&task, &rule = rule_] { return std::make_unique<Survey>(task, rule); });
-  const auto look = [&worker = *worker] { return static_cast<const Survey*>(worker.source()); };
-  Share share = [look, has_relaxed = has_relaxed()](const Progress& now) -> std::int64_t {
+  const auto source = [&worker = *worker] { return static_cast<const Survey*>(worker.source()); };
+  Share share = [source, has_relaxed = has_relaxed()](const Progress& now) -> std::int64_t {
     if (!now.has_route) return 0;
-    const Survey* survey = look();
+    const Survey* survey = source();
     const bool is_glance = survey == nullptr || survey->is_glance();
     const bool is_early = now.iterations < (has_relaxed && is_glance ? early_survey : first_survey);
     if (is_early && now.rounds_with_route < rounds_without_work) return 0;
-    const std::int64_t first = has_relaxed && is_glance ? shares::first_glance : shares::first_look;
-    const bool is_first = is_glance || survey->is_first_look();
+    const std::int64_t first = has_relaxed && is_glance ? shares::first_glance : shares::first_pass;
+    const bool is_first = is_glance || survey->is_first_pass();
     return growing_share(is_first ? first : shares::survey.by_prices, now.rounds_with_route);
   };
   Slot& slot = add("survey", std::move(worker), std::move(share));
@@ -352,7 +352,7 @@ Portfolio Composer::portfolio() && {
   add_length_prover();
   if (is_far_) add_detours();
   if (bend_) add("bend", std::move(bend_), share(shares::bend));
-  if (looks_around_) add_survey();
+  if (has_survey_) add_survey();
   add_wall_prover();
   if (pricing_->counts_time()) add_cheapest_drive();
   for (std::size_t i = 0; i < sources_.size(); ++i) add_proposals(sources_[i], i);

@@ -43,8 +43,9 @@ inline constexpr Row survey{{}, 0, 0, 16, {}};
 /// Share of a relaxed survey in its first pass, the glance [iterations a round]. It is large,
 /// because a first route of another kind is wanted soon.
 inline constexpr std::int64_t first_glance = 200;
-/// Share of the survey in its first look, or in a glance that is not relaxed [iterations a round].
-inline constexpr std::int64_t first_look = 100;
+/// Share of the survey in its first full pass, or in a glance that is not relaxed [iterations a
+/// round].
+inline constexpr std::int64_t first_pass = 100;
 
 /// Samples of the trees in each of the first rounds, while there is no route.
 inline constexpr std::int64_t early_trees = 16;

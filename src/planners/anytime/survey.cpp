@@ -11,17 +11,17 @@
 namespace vandplan::anytime {
 namespace {
 
-/// Headings and cells of looks, in turns. Coarse cells and fine cells find different ways, because
-/// it is luck which poses they keep. So looks differ.
-constexpr std::array<FieldOptions, 4> survey_looks = {
+/// Headings and cells of passes, in turns. Coarse cells and fine cells find different ways, because
+/// it is luck which poses they keep. So passes differ.
+constexpr std::array<FieldOptions, 4> survey_passes = {
     {{16, 0.4}, {24, 0.25}, {18, 0.3}, {36, 0.25}}};
 /// Cells of the glance and weight of its guide.
 constexpr FieldOptions survey_glance = {16, 0.4, 2.0};
-constexpr double shift = 0.618;  // shift of the cells each time all looks were used [cells]
-constexpr double excess = 1.1;   // a way may cost so many times the cheapest way of a look
+constexpr double shift = 0.618;  // shift of the cells each time all passes were used [cells]
+constexpr double excess = 1.1;   // a way may cost so many times the cheapest way of a pass
 /// A way may cost so many times the best route, because ways are crooked.
-constexpr double worth_a_look = 1.2;
-constexpr int most_routes = 6;                         // routes of one look
+constexpr double worth_a_pass = 1.2;
+constexpr int most_routes = 6;                         // routes of one pass
 constexpr std::int64_t most_poses = 200'000;           // poses expanded by the field from the goal
 constexpr std::int64_t most_poses_of_glance = 50'000;  // poses expanded by a glance
 constexpr double most_cells = 1e6;                     // cells of places and headings in one field
@@ -73,14 +73,14 @@ bool Survey::prepare() {
   return false;
 }
 
-void Survey::look_back() {
-  most_ = worth_a_look * cutoff_;
-  const std::size_t look = looks_ - (is_glance() ? 0 : 1);
-  options_ = is_glance() ? survey_glance : survey_looks[look % survey_looks.size()];
+void Survey::begin_pass() {
+  most_ = worth_a_pass * cutoff_;
+  const std::size_t pass = passes_ - (is_glance() ? 0 : 1);
+  options_ = is_glance() ? survey_glance : survey_passes[pass % survey_passes.size()];
   const double area = (box_.x_max - box_.x_min) * (box_.y_max - box_.y_min);
   const double least_cell = std::sqrt(area * options_.headings / most_cells) / forth_.radius();
   options_.cell = std::max(options_.cell, least_cell);
-  const std::size_t times_around = look / survey_looks.size();
+  const std::size_t times_around = pass / survey_passes.size();
   const double shifts = shift * static_cast<double>(times_around);
   const double offset = std::fmod(shifts, 1.0) * options_.cell * forth_.radius();
   cells_ = {box_.x_min - offset, box_.x_max, box_.y_min - offset, box_.y_max};
@@ -158,7 +158,7 @@ bool Survey::go_on() {
 void Survey::end() {
   from_goal_.reset();
   from_start_.reset();
-  ++looks_;
+  ++passes_;
 }
 
 bool Survey::step() {
@@ -168,7 +168,7 @@ bool Survey::step() {
   }
   if (from_start_) return go_on();
   if (from_goal_) return go_back();
-  look_back();
+  begin_pass();
   return false;
 }
 

@@ -38,9 +38,9 @@ class Survey final : public Source {
   /// Sets the cost of the best route; much dearer ways are ignored. Must be called before `step`.
   void set_cutoff(double cost) override { cutoff_ = cost; }
   /// Whether the survey is in its glance.
-  [[nodiscard]] bool is_glance() const { return looks_ == 0; }
-  /// Whether the survey is in its first look, which has the coarsest cells.
-  [[nodiscard]] bool is_first_look() const { return looks_ == 1; }
+  [[nodiscard]] bool is_glance() const { return passes_ == 0; }
+  /// Whether the survey is in its first full pass, which has the coarsest cells.
+  [[nodiscard]] bool is_first_pass() const { return passes_ == 1; }
 
   [[nodiscard]] std::int64_t solves() const override { return forth_.solves() + back_.solves(); }
   [[nodiscard]] std::int64_t checks() const override { return forth_.checks() + back_.checks(); }
@@ -53,7 +53,7 @@ class Survey final : public Source {
   };
 
   [[nodiscard]] bool prepare();
-  void look_back();
+  void begin_pass();
   [[nodiscard]] bool meet(std::int32_t id);
   [[nodiscard]] bool go_back();
   void go_forth();
@@ -77,15 +77,15 @@ class Survey final : public Source {
   std::unique_ptr<GridDistance> guide_;
   std::unique_ptr<Room> room_;
   bool is_prepared_ = false;
-  std::size_t looks_ = 0;  // passes so far, the glance included
-  double most_ = 0.0;      // largest cost of a way in this pass [m]
-  FieldOptions options_;   // cells of this pass
-  Bounds cells_ = {};      // area that the cells cover, shifted in later looks
+  std::size_t passes_ = 0;  // passes so far, the glance included
+  double most_ = 0.0;       // largest cost of a way in this pass [m]
+  FieldOptions options_;    // cells of this pass
+  Bounds cells_ = {};       // area that the cells cover, shifted in later passes
   std::unique_ptr<DriveField> from_goal_, from_start_;
   bool has_met_ = false;                 // whether the field from the goal has reached the start
   std::int64_t poses_ = 0;               // poses expanded by the field from the goal
-  int routes_ = 0;                       // routes found in this look
-  std::vector<bool> covered_;            // bins that routes of this look lead through
+  int routes_ = 0;                       // routes found in this pass
+  std::vector<bool> covered_;            // bins that routes of this pass lead through
   double bin_ = 1.0;                     // side of a bin [m]
   std::int64_t columns_ = 0, rows_ = 0;  // bins along x and y
   Kinds kinds_;
