@@ -170,23 +170,25 @@ struct Driven {
 [[nodiscard]] CostRule reversed(const CostRule& rule, GearSign before);
 
 /// How finely the clearance is sampled along a path.
-enum class Looks {
+enum class ClearanceSampling {
   search,  ///< a few samples for each `clearance_distance`
   answer,  ///< samples so fine that the cost is within 1e-3
 };
+using Looks [[deprecated("use ClearanceSampling")]] = ClearanceSampling;
 
 /// Surcharge near obstacles for driving the segments from a pose [m]. A trailer begins with the
 /// hitch angle of the task's start. Above `cutoff` [m] any larger number may come back. Method:
 /// docs/algorithms/anytime.md.
 [[nodiscard]] double clearance_cost(const Task& task, const CostRule& rule, const LocalPose& from,
-                                    std::span<const Segment> segments, Looks looks,
+                                    std::span<const Segment> segments, ClearanceSampling sampling,
                                     double cutoff = std::numeric_limits<double>::infinity());
 
 /// Surcharge near obstacles for driving the segments from a state of the rig [m]; for the vehicle
 /// alone if it has no trailer. Above `cutoff` [m] any larger number may come back.
 [[nodiscard]] double rig_clearance_cost(const Task& task, const CostRule& rule,
                                         const Local<RigState>& from,
-                                        std::span<const Segment> segments, Looks looks,
+                                        std::span<const Segment> segments,
+                                        ClearanceSampling sampling,
                                         double cutoff = std::numeric_limits<double>::infinity());
 
 // ---- Which piece joins two poses, what does it cost, and may it be driven? ----
@@ -254,7 +256,8 @@ class Connector {
       double cutoff = std::numeric_limits<double>::infinity()) const {
     return rule_.clearance_weight == 0.0
                ? 0.0
-               : search::clearance_cost(task_, rule_, from, segments, Looks::search, cutoff);
+               : search::clearance_cost(task_, rule_, from, segments, ClearanceSampling::search,
+                                        cutoff);
   }
 
   /// Whether the vehicle is free on the whole piece, on the segment, or at the pose.

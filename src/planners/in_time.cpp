@@ -250,7 +250,7 @@ class Run {
 
   /// Looks for times along a path: in haste at first, with care when the source has its next turn.
   void consider(Source& source, const std::vector<Segment>& segments, bool is_hasty) {
-    const double path_cost = pricing_.cost(segments, search::Looks::answer);
+    const double path_cost = pricing_.cost(segments, search::ClearanceSampling::answer);
     source.fastest_cost = with_time(path_cost, planning::drive_time(task_, segments));
     if (best_ && best_->cost <= source.fastest_cost) return;
     if (is_hasty && !source.detour) {  // sources near each other find the same paths

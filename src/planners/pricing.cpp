@@ -36,9 +36,9 @@ double Pricing::cost(std::span<const Segment> segments, double near) const {
   return time_price_ == 0.0 ? cost : cost + time_price_ * drive_time(task_, segments);
 }
 
-double Pricing::cost(std::span<const Segment> segments, search::Looks looks) const {
+double Pricing::cost(std::span<const Segment> segments, search::ClearanceSampling sampling) const {
   if (is_time_ || prices_.clearance_weight == 0.0) return cost(segments, 0.0);
-  return cost(segments, search::clearance_cost(task_, prices_, task_.start, segments, looks));
+  return cost(segments, search::clearance_cost(task_, prices_, task_.start, segments, sampling));
 }
 
 double Pricing::least_cost(double length, double priced) const {

@@ -31,9 +31,10 @@ class Pricing {
   /// Cost of the fastest drive along `segments` from the start. `near`: clearance cost of the path
   /// [m].
   [[nodiscard]] double cost(std::span<const Segment> segments, double near) const;
-  /// Cost of the fastest drive along `segments` from the start. `looks`: how finely the clearance
-  /// is summed.
-  [[nodiscard]] double cost(std::span<const Segment> segments, search::Looks looks) const;
+  /// Cost of the fastest drive along `segments` from the start. `sampling`: how finely the
+  /// clearance is summed.
+  [[nodiscard]] double cost(std::span<const Segment> segments,
+                            search::ClearanceSampling sampling) const;
 
   /// Lower bound of the cost of drives whose path is at least `length` metres long and has prices
   /// of at least `priced` metres.

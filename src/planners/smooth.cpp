@@ -42,12 +42,12 @@ class Wishes {
   [[nodiscard]] const CostRule& rule() const { return pricing_.rule(); }
   /// Whether the cost of a path is no sum over its segments.
   [[nodiscard]] bool are_of_whole_path() const { return pricing_.is_time() || min_stroke_ > 0.0; }
-  [[nodiscard]] double cost(std::span<const Segment> segments, Looks looks) const {
-    return pricing_.cost(segments, looks);
+  [[nodiscard]] double cost(std::span<const Segment> segments, ClearanceSampling sampling) const {
+    return pricing_.cost(segments, sampling);
   }
   /// Cost of a path, with a price for strokes that are too short.
-  [[nodiscard]] double price(std::span<const Segment> segments, Looks looks) const {
-    return cost(segments, looks) + lack(segments);
+  [[nodiscard]] double price(std::span<const Segment> segments, ClearanceSampling sampling) const {
+    return cost(segments, sampling) + lack(segments);
   }
   [[nodiscard]] double lack(std::span<const Segment> segments) const {
     return min_stroke_ > 0.0 ? price_of_lack(segments, min_stroke_) : 0.0;
@@ -134,7 +134,7 @@ void Smoother::bend() {
   DriveShortener::Measure measure;
   if (wishes_.are_of_whole_path()) {
     measure = [this](std::span<const Segment> segments) {
-      return wishes_.price(segments, Looks::search);
+      return wishes_.price(segments, ClearanceSampling::search);
     };
   }
   drive_.emplace(task_, wishes_.rule(), *commands, stream_seed(seed_, 2), std::move(measure));
@@ -169,7 +169,8 @@ PlannerAnswer Smoother::run(SmoothMethod method) {
   if (!task_.vehicle.trailer) {
     connector.emplace(task_, wishes_.rule());
     is_drivable = this->is_drivable(*connector);
-    if (is_drivable) take(old_.segments, wishes_.price(old_.segments, Looks::search));  // [1]
+    if (is_drivable)
+      take(old_.segments, wishes_.price(old_.segments, ClearanceSampling::search));  // [1]
   }
   if (is_drivable && !is_optimised) return std::move(answer_);
   if (connector) {
@@ -177,7 +178,7 @@ PlannerAnswer Smoother::run(SmoothMethod method) {
     std::function<double(const Route&)> measure;
     if (wishes_.are_of_whole_path()) {
       measure = [this](const Route& r) {
-        return wishes_.price(path_of(r).segments, Looks::search);
+        return wishes_.price(path_of(r).segments, ClearanceSampling::search);
       };
     }
     if (route) {
@@ -289,7 +290,7 @@ Smoothed smooth(const Problem& of_set, const Path& path, SmoothMethod method,
       {.clearance = clearance, .steering = steering, .gears = smoothed.options.cost.gears});
   const Task task = task_of(problem, clearance, steering);
   const Wishes wishes(task, smoothed.options);
-  smoothed.given_cost = wishes.cost(path.segments, Looks::answer);
+  smoothed.given_cost = wishes.cost(path.segments, ClearanceSampling::answer);
   const double lack = wishes.lack(path.segments);
   // [6] The answer is never worse than the given path.
   smoothed.given_fault = given.reason;
@@ -301,7 +302,7 @@ Smoothed smooth(const Problem& of_set, const Path& path, SmoothMethod method,
   if (!given.valid) return smoothed;
   if (result.path) {
     const double more_cost =
-        wishes.cost(result.path->segments, Looks::answer) - smoothed.given_cost;
+        wishes.cost(result.path->segments, ClearanceSampling::answer) - smoothed.given_cost;
     const double more_lack = wishes.lack(result.path->segments) - lack;
     if (more_cost <= 0.0 && more_lack <= 0.0 && more_cost + more_lack < 0.0) return smoothed;
   }

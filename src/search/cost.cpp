@@ -16,14 +16,14 @@ namespace {
 // error is 1/8 of the squared step where the clearance reaches the distance or has a kink, and less
 // elsewhere. The answer takes more samples where two rules differ by more than `agreement` [of the
 // cost of a metre].
-constexpr double looks_of_search = 2;
-constexpr double fewest_looks_of_answer = 8;
-constexpr double most_looks_of_answer = 64;
+constexpr double samples_of_search = 2;
+constexpr double fewest_samples_of_answer = 8;
+constexpr double most_samples_of_answer = 64;
 constexpr double agreement = 1e-4;
-constexpr double most_looks_of_search_at_path = 2e4;  // Samples of a path, whatever its length.
-constexpr double most_looks_of_answer_at_path = 1e6;
+constexpr double most_samples_of_search_at_path = 2e4;  // Samples of a path, whatever its length.
+constexpr double most_samples_of_answer_at_path = 1e6;
 // At a kink both rules can be equally wrong and agree. The error shrinks with the parts.
-constexpr double fewest_looks_of_answer_at_path = 256;
+constexpr double fewest_samples_of_answer_at_path = 256;
 // Metres that a point of the body usually moves for each metre driven. Bodies long for their
 // turning radius move faster and need more samples.
 constexpr double usual_swing = 3;
@@ -37,7 +37,7 @@ double reach_of(const Vehicle& vehicle) {
 }
 
 /// Vehicle, with its trailer if any, on a segment where clearances are sampled.
-struct Looked {
+struct SampledSegment {
   const Task& task;
   const RigState& from;
   const Segment& segment;
@@ -67,7 +67,7 @@ struct Looked {
 };
 
 /// Distances from one sample to the next along the path [m].
-struct LookSteps {
+struct SamplingSteps {
   double usual;
   double least;  ///< Keeps the number of samples on a long path small.
 };
@@ -76,38 +76,40 @@ struct LookSteps {
 /// of the mean curvature if that is off by less than a millimetre.
 class Steps {
  public:
-  explicit Steps(const Looked& looked) : looked_(looked), pose_(Local(looked.from.pose)) {}
+  explicit Steps(const SampledSegment& sampled)
+      : sampled_(sampled), pose_(Local(sampled.from.pose)) {}
 
   [[nodiscard]] double clearance(double driven, double most, double enough) {
-    if (looked_.task.vehicle.trailer) return looked_.clearance(driven, most, enough);
-    const Segment& segment = looked_.segment;
+    if (sampled_.task.vehicle.trailer) return sampled_.clearance(driven, most, enough);
+    const Segment& segment = sampled_.segment;
     const double way = driven - driven_;
     const Segment arc{curvature_at(segment, driven_ + way / 2), std::copysign(way, segment.length)};
     const bool is_like_it = std::abs(segment.curvature_rate) * way * way * way < 12 * most_off;
     pose_ = advance(pose_, is_like_it ? arc : part_of(segment, driven_, driven));
     driven_ = driven;
-    return looked_.task.checker->clearance(pose_, most, enough);
+    return sampled_.task.checker->clearance(pose_, most, enough);
   }
 
  private:
   static constexpr double most_off = 1e-3;  // Largest error of a pose [m].
 
-  const Looked& looked_;
+  const SampledSegment& sampled_;
   LocalPose pose_;
   double driven_ = 0.0;
 };
 
 /// Integral of max(0, 1 - clearance / distance) along a segment, by the midpoint rule [m].
-double nearness(const Looked& looked, double distance, const LookSteps& steps, double most) {
-  const double length = std::abs(looked.segment.length);
-  const double swing = looked.swing();
+double nearness(const SampledSegment& sampled, double distance, const SamplingSteps& steps,
+                double most) {
+  const double length = std::abs(sampled.segment.length);
+  const double swing = sampled.swing();
   const double step = std::max(steps.least, steps.usual / std::max(1.0, swing / usual_swing));
   const double count = std::ceil(length / step);
   const double h = length / count;
   const double moved = swing * h;  // Largest move of a point of the body between samples [m].
   double sum = 0.0;
   double ahead = looks_ahead;
-  Steps along(looked);
+  Steps along(sampled);
   for (double i = 0; i < count && sum <= most;) {
     const double farthest = distance + ahead * moved;
     const double clearance = along.clearance((i + 0.5) * h, farthest, distance);
@@ -127,21 +129,21 @@ class ExactNearness {
  public:
   /// Parts are at most `most` metres long. They are halved while two rules differ by more than
   /// `tolerance` in the mean.
-  ExactNearness(const Looked& looked, double distance, double most, double tolerance)
-      : looked_(looked),
+  ExactNearness(const SampledSegment& sampled, double distance, double most, double tolerance)
+      : sampled_(sampled),
         distance_(distance),
         most_(most),
-        least_(most * fewest_looks_of_answer / most_looks_of_answer),
+        least_(most * fewest_samples_of_answer / most_samples_of_answer),
         tolerance_(tolerance) {}
 
   [[nodiscard]] double integral() const {
-    const double length = std::abs(looked_.segment.length);
-    const double swing = looked_.swing();
+    const double length = std::abs(sampled_.segment.length);
+    const double swing = sampled_.swing();
     double sum = 0.0;
     double ahead = looks_ahead * most_;
     for (double s = 0.0; s < length;) {
       const double farthest = distance_ + swing * ahead;
-      const double clearance = looked_.clearance(s, farthest, distance_);
+      const double clearance = sampled_.clearance(s, farthest, distance_);
       const double nothing = (clearance - distance_) / swing;  // Nothing is near for this distance.
       ahead = clearance < farthest ? looks_ahead * most_ : 2 * ahead;
       if (nothing >= most_) {
@@ -157,7 +159,7 @@ class ExactNearness {
 
  private:
   [[nodiscard]] double at(double s) const {
-    return std::max(0.0, 1 - looked_.clearance(s, distance_, distance_) / distance_);
+    return std::max(0.0, 1 - sampled_.clearance(s, distance_, distance_) / distance_);
   }
 
   /// Integral over a part, by three parabolas that agree (Simpson's rule). `values`: at begin,
@@ -174,19 +176,19 @@ class ExactNearness {
     return part(begin, half, {first, left, middle}) + part(half, end, {middle, right, last});
   }
 
-  const Looked& looked_;
+  const SampledSegment& sampled_;
   double distance_;
   double most_;
   double least_;
   double tolerance_;
 };
 
-double exact_nearness(const Looked& looked, const CostRule& rule, double whole) {
-  const double slower = std::max(1.0, looked.swing() / usual_swing);
-  const double usual = rule.clearance_distance / fewest_looks_of_answer / slower;
-  const double most = 4 * std::max(std::min(usual, whole / fewest_looks_of_answer_at_path),
-                                   whole / most_looks_of_answer_at_path);
-  return ExactNearness(looked, rule.clearance_distance, most,
+double exact_nearness(const SampledSegment& sampled, const CostRule& rule, double whole) {
+  const double slower = std::max(1.0, sampled.swing() / usual_swing);
+  const double usual = rule.clearance_distance / fewest_samples_of_answer / slower;
+  const double most = 4 * std::max(std::min(usual, whole / fewest_samples_of_answer_at_path),
+                                   whole / most_samples_of_answer_at_path);
+  return ExactNearness(sampled, rule.clearance_distance, most,
                        agreement / std::max(1.0, rule.clearance_weight))
       .integral();
 }
@@ -271,17 +273,19 @@ double drive_cost(const CostRule& rule, std::span<const Segment> segments, Drive
 }
 
 double clearance_cost(const Task& task, const CostRule& rule, const LocalPose& from,
-                      std::span<const Segment> segments, Looks looks, double cutoff) {
+                      std::span<const Segment> segments, ClearanceSampling sampling,
+                      double cutoff) {
   return rig_clearance_cost(task, rule, Local(RigState{from, task.hitch_angles.start}), segments,
-                            looks, cutoff);
+                            sampling, cutoff);
 }
 
 double rig_clearance_cost(const Task& task, const CostRule& rule, const Local<RigState>& from,
-                          std::span<const Segment> segments, Looks looks, double cutoff) {
+                          std::span<const Segment> segments, ClearanceSampling sampling,
+                          double cutoff) {
   if (rule.clearance_weight == 0.0) return 0.0;
   const double distance = rule.clearance_distance;
   const double whole = length(segments);
-  const LookSteps steps{distance / looks_of_search, whole / most_looks_of_search_at_path};
+  const SamplingSteps steps{distance / samples_of_search, whole / most_samples_of_search_at_path};
   double sum = 0.0;
   RigState state = from;
   for (const Segment& segment : segments) {
@@ -290,10 +294,10 @@ double rig_clearance_cost(const Task& task, const CostRule& rule, const Local<Ri
     const GearSign gear = gear_of(segment);
     if (!rule.allows(gear)) return rule.weight(gear);
     const double price = rule.clearance_weight * rule.weight(gear);
-    const Looked looked{task, state, segment};
-    sum += price * (looks == Looks::answer
-                        ? exact_nearness(looked, rule, whole)
-                        : nearness(looked, distance, steps, (cutoff - sum) / price));
+    const SampledSegment sampled{task, state, segment};
+    sum += price * (sampling == ClearanceSampling::answer
+                        ? exact_nearness(sampled, rule, whole)
+                        : nearness(sampled, distance, steps, (cutoff - sum) / price));
     state = advance(task.vehicle, state, segment);
   }
   return sum;

@@ -130,11 +130,11 @@ concept BeginToPrice = requires(const Connector& connector, const P& p) {
   connector.clearance_cost(p, Segments{});
 }
 || requires(const Task& task, const P& p) {
-  search::clearance_cost(task, {}, p, Segments{}, search::Looks::search);
+  search::clearance_cost(task, {}, p, Segments{}, search::ClearanceSampling::search);
 };
 template <class R>
 concept RigToPrice = requires(const Task& task, const R& r) {
-  search::rig_clearance_cost(task, {}, r, Segments{}, search::Looks::search);
+  search::rig_clearance_cost(task, {}, r, Segments{}, search::ClearanceSampling::search);
 };
 template <class P>
 concept Node = std::is_constructible_v<Tree, P, std::size_t> || requires(Tree& tree, const P& p) {

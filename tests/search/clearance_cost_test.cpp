@@ -16,8 +16,8 @@
 namespace vandplan {
 namespace {
 
+using search::ClearanceSampling;
 using search::CostRule;
-using search::Looks;
 
 constexpr double half_width = 2.55 / 2;
 constexpr CostRule careful{.clearance_weight = 2, .clearance_distance = 0.8};
@@ -30,8 +30,9 @@ CostOptions options_of(const CostRule& rule) {
           .clearance_distance = rule.clearance_distance};
 }
 
-double price_of(const Problem& problem, const CostRule& rule, const Path& path, Looks looks) {
-  return search::clearance_cost(problem.task(), rule, Local(path.start), path.segments, looks);
+double price_of(const Problem& problem, const CostRule& rule, const Path& path,
+                ClearanceSampling sampling) {
+  return search::clearance_cost(problem.task(), rule, Local(path.start), path.segments, sampling);
 }
 
 /// The sum of midpoints, a millimetre each, without any short cut.
@@ -82,12 +83,13 @@ TEST(ClearanceCost, BesideAWallIsInProportionToWhatIsMissing) {
   const Polygon wall = box(-50, half_width + 0.2, 80, 9);
   const Problem problem = problem_of_path({.bounds = wide_bounds, .obstacles = {wall}}, ahead);
   // 0.6 of 0.8 m are missing.
-  EXPECT_NEAR(price_of(problem, careful, ahead, Looks::search), 10 * 2 * 0.75, 1e-9);
-  EXPECT_NEAR(price_of(problem, careful, ahead, Looks::answer), 10 * 2 * 0.75, 1e-9);
+  EXPECT_NEAR(price_of(problem, careful, ahead, ClearanceSampling::search), 10 * 2 * 0.75, 1e-9);
+  EXPECT_NEAR(price_of(problem, careful, ahead, ClearanceSampling::answer), 10 * 2 * 0.75, 1e-9);
   const CostRule reversing{.reverse_weight = 3, .clearance_weight = 2, .clearance_distance = 0.8};
   const Path back{{10, 0, 0}, {{0, -10}}};
-  EXPECT_NEAR(price_of(problem, reversing, back, Looks::answer), 10 * 3 * 2 * 0.75, 1e-9);
-  EXPECT_NEAR(price_of(problem, search::reversed(reversing, 0), ahead, Looks::answer),
+  EXPECT_NEAR(price_of(problem, reversing, back, ClearanceSampling::answer), 10 * 3 * 2 * 0.75,
+              1e-9);
+  EXPECT_NEAR(price_of(problem, search::reversed(reversing, 0), ahead, ClearanceSampling::answer),
               10 * 3 * 2 * 0.75, 1e-9);
 }
 
@@ -104,7 +106,7 @@ TEST(ClearanceCost, IsExactWhereAWallAheadBeginsToCount) {
                                        {box(-20, half_width + beside, ahead, half_width + 2),
                                         box(ahead, -3, ahead + 1, half_width + 2)});
     const double missing = 1e-3 * (length - 0.1 + 1e-3) + (0.1 * 0.1 - 1e-6) / 2;
-    EXPECT_NEAR(price_of(problem, careful, path, Looks::answer),
+    EXPECT_NEAR(price_of(problem, careful, path, ClearanceSampling::answer),
                 careful.clearance_weight * missing / careful.clearance_distance, 2e-5)
         << length;
   }
@@ -116,17 +118,18 @@ TEST(ClearanceCost, OfAKerbIsThatOfTheWheels) {
   const Polygon kerb = box(-50, half_width + 0.2, 80, 9);  // 0.4 m from the wheels
   const Problem problem =
       problem_of_path({.bounds = wide_bounds, .kerbs = {kerb}}, ahead, narrow_track);
-  EXPECT_NEAR(price_of(problem, careful, ahead, Looks::answer), 10 * 2 * 0.5, 1e-9);
+  EXPECT_NEAR(price_of(problem, careful, ahead, ClearanceSampling::answer), 10 * 2 * 0.5, 1e-9);
 }
 
 TEST(ClearanceCost, IsNothingFarFromEverything) {
   const Path ahead{{}, {{0, 10}, {0, -4}}};
   const Problem near = problem_of_path(
       {.bounds = wide_bounds, .obstacles = {box(-50, -9, 80, -half_width - 0.81)}}, ahead);
-  EXPECT_EQ(price_of(near, careful, ahead, Looks::answer), 0);
-  EXPECT_EQ(
-      price_of(problem_of_path({.bounds = wide_bounds}, ahead), careful, ahead, Looks::search), 0);
-  EXPECT_EQ(price_of(near, {}, ahead, Looks::answer), 0);
+  EXPECT_EQ(price_of(near, careful, ahead, ClearanceSampling::answer), 0);
+  EXPECT_EQ(price_of(problem_of_path({.bounds = wide_bounds}, ahead), careful, ahead,
+                     ClearanceSampling::search),
+            0);
+  EXPECT_EQ(price_of(near, {}, ahead, ClearanceSampling::answer), 0);
 }
 
 TEST(ClearanceCost, OfAnAnswerIsWithinAThousandthOfTheCost) {
@@ -139,8 +142,8 @@ TEST(ClearanceCost, OfAnAnswerIsWithinAThousandthOfTheCost) {
                         .clearance_distance = std::exp(uniform(-2, 1, rng))};
     const double slow = slow_price_of(problem, rule, path);
     const double cost = slow + length(path);
-    EXPECT_NEAR(price_of(problem, rule, path, Looks::answer), slow, 1e-3 * cost);
-    const double rough = price_of(problem, rule, path, Looks::search);
+    EXPECT_NEAR(price_of(problem, rule, path, ClearanceSampling::answer), slow, 1e-3 * cost);
+    const double rough = price_of(problem, rule, path, ClearanceSampling::search);
     worst_search = std::max(worst_search, std::abs(rough - slow) / cost);
   });
   EXPECT_LT(worst_search, 0.06);
@@ -159,7 +162,7 @@ TEST(ClearanceCost, OfABodyThatSwingsAboutItsAxleIsAsExact) {
     const CostRule rule{.clearance_weight = 2, .clearance_distance = 2};
     const double slow = slow_price_of(problem, rule, path, 2e-5);
     const double cost = slow + length(path);
-    EXPECT_NEAR(price_of(problem, rule, path, Looks::answer), slow, 1e-3 * cost);
+    EXPECT_NEAR(price_of(problem, rule, path, ClearanceSampling::answer), slow, 1e-3 * cost);
     const PathCheck check = check_path(problem, path, {.cost = StatedCost{cost, options_of(rule)}});
     EXPECT_TRUE(check.valid) << check.reason;
   });
@@ -169,10 +172,10 @@ TEST(ClearanceCost, EndsTheSumAboveTheCutoff) {
   for_each_case(2, 300, [](Rng& rng) {
     const Path path = random_path(rng);
     const Problem problem = random_yard(path, rng);
-    const double whole = price_of(problem, careful, path, Looks::search);
+    const double whole = price_of(problem, careful, path, ClearanceSampling::search);
     const double cutoff = uniform(0, 1.5, rng) * whole;
     const double cut = search::clearance_cost(problem.task(), careful, Local(path.start),
-                                              path.segments, Looks::search, cutoff);
+                                              path.segments, ClearanceSampling::search, cutoff);
     if (whole <= cutoff) {
       EXPECT_EQ(cut, whole);
     } else {
@@ -191,7 +194,7 @@ TEST(ClearanceCost, IsWorkedOutAgainByTheJudge) {
                         .clearance_distance = std::exp(uniform(-1, 1, rng))};
     if (!check_path(problem, path).valid) return;
     search::Driven driven;
-    const double near = price_of(problem, rule, path, Looks::answer);
+    const double near = price_of(problem, rule, path, ClearanceSampling::answer);
     StatedCost stated{.cost = drive_cost(rule, path.segments, driven) + near,
                       .rule = options_of(rule)};
     const PathCheck check = check_path(problem, path, {.cost = stated});

@@ -139,7 +139,7 @@ double way_cost(PlanningTask& self, const py::object& given) {
   const Pose start = first.cast<const Path&>().start;
   return cost + search::clearance_cost(self.task(), self.rule(),
                                        to_local(*self.task().world, start), segments,
-                                       search::Looks::search);
+                                       search::ClearanceSampling::search);
 }
 
 py::array_t<double> in_scenario(const PlanningTask& self, const LocalPose& pose) {

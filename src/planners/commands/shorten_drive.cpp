@@ -89,8 +89,8 @@ void DriveShortener::drive(std::vector<double> near) {
 double DriveShortener::near_cost(const RigState& from, std::span<const Segment> segments,
                                  double cutoff) const {
   if (measure_) return 0.0;
-  return search::rig_clearance_cost(task_, rule_, Local(from), segments, search::Looks::search,
-                                    cutoff);
+  return search::rig_clearance_cost(task_, rule_, Local(from), segments,
+                                    search::ClearanceSampling::search, cutoff);
 }
 
 /// A random window; small ones are more frequent.

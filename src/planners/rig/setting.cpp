@@ -35,7 +35,7 @@ Setting::Setting(const Task& of, const PlanOptions& with, const planning::Pricin
 commands::DriveShortener::Measure Setting::measure() const {
   if (!pricing.counts_time() && min_stroke == 0.0) return {};
   return [this](std::span<const Segment> segments) {
-    return pricing.cost(segments, search::Looks::search) +
+    return pricing.cost(segments, search::ClearanceSampling::search) +
            commands::price_of_lack(segments, min_stroke);
   };
 }
