@@ -35,8 +35,9 @@ struct StatedCost {
   /// than the time without that limit.
   double cost = 0.0;
   CostOptions rule = {};  ///< prices of the cost; those not set are from `shortest_style`
-  std::optional<double> bound = {};  ///< stated lower bound of the cost of every path [m] or [s]
-  std::optional<double> gap = {};    ///< stated cost / bound - 1
+  std::optional<double> lower_bound =
+      {};                          ///< stated lower bound of the cost of every path [m] or [s]
+  std::optional<double> gap = {};  ///< stated cost / lower_bound - 1
 };
 
 /// Claims about a path, which the judge checks. It does not prove a bound again, but a bound must

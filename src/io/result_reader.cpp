@@ -195,7 +195,7 @@ std::optional<StatedCost> cost_from(const Document& file, const Node& node,
   if (cost == nullptr) return std::nullopt;
   StatedCost stated{.cost = file.number(*cost)};
   if (!goes_by_length(record.planner)) stated.rule = record.options.cost;
-  if (const Node* const bound = file.find(node, "bound")) stated.bound = file.number(*bound);
+  if (const Node* const bound = file.find(node, "bound")) stated.lower_bound = file.number(*bound);
   if (const Node* const gap = file.find(node, "gap")) stated.gap = file.number(*gap);
   return stated;
 }

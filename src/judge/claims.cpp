@@ -47,8 +47,8 @@ double cost_of(const Track& track, double near, const CostOptions& stated) {
 }
 
 std::optional<std::string> false_gap(const StatedCost& stated) {
-  if (!stated.gap || !stated.bound || !(*stated.bound > 0)) return std::nullopt;
-  const double gap = stated.cost / *stated.bound - 1;
+  if (!stated.gap || !stated.lower_bound || !(*stated.lower_bound > 0)) return std::nullopt;
+  const double gap = stated.cost / *stated.lower_bound - 1;
   if (std::abs(*stated.gap - gap) <= gap_tolerance) return std::nullopt;
   return text("the stated gap is %.10g, cost and bound make it %.10g", *stated.gap, gap);
 }
@@ -62,8 +62,9 @@ std::optional<std::string> false_time(const Found& found, const StatedCost& stat
     return text("the stated cost is %.10g s, the fastest drive takes %.10g s%s", stated.cost,
                 found.time, found.has_jerk_limit ? " without a limit of jerk" : "");
   }
-  if (stated.bound && !(*stated.bound <= stated.cost * (1 + gap_tolerance))) {
-    return text("the stated bound is %.10g s, the stated cost %.10g s", *stated.bound, stated.cost);
+  if (stated.lower_bound && !(*stated.lower_bound <= stated.cost * (1 + gap_tolerance))) {
+    return text("the stated bound is %.10g s, the stated cost %.10g s", *stated.lower_bound,
+                stated.cost);
   }
   return false_gap(stated);
 }
@@ -81,9 +82,9 @@ std::optional<std::string> false_cost(const Track& track, const Found& found,
   if (!(std::abs(stated.cost - cost) <= tolerance)) {
     return text("the stated cost is %.10g m, the path costs %.10g m", stated.cost, cost);
   }
-  if (!stated.bound) return std::nullopt;
-  if (!(*stated.bound <= cost + tolerance)) {
-    return text("the stated bound is %.10g m, the path costs %.10g m", *stated.bound, cost);
+  if (!stated.lower_bound) return std::nullopt;
+  if (!(*stated.lower_bound <= cost + tolerance)) {
+    return text("the stated bound is %.10g m, the path costs %.10g m", *stated.lower_bound, cost);
   }
   return false_gap(stated);
 }

@@ -46,7 +46,7 @@ std::optional<PlannerAnswer> settled(const Task& task) {
 /// The claims about a path that the judge checks.
 PathClaims claims_of(const PlanResult& result, const PlanOptions& all) {
   StatedCost cost{.cost = result.cost, .rule = all.cost};
-  if (result.lower_bound > 0.0) cost.bound = result.lower_bound;
+  if (result.lower_bound > 0.0) cost.lower_bound = result.lower_bound;
   return {
       .cost = cost, .clearance = all.clearance, .steering = *all.steering, .gears = all.cost.gears};
 }

@@ -57,7 +57,7 @@ void expect_same_cost(const std::optional<StatedCost>& a, const std::optional<St
   ASSERT_EQ(a.has_value(), b.has_value());
   if (!a) return;
   EXPECT_EQ(a->cost, b->cost);
-  EXPECT_EQ(a->bound, b->bound);
+  EXPECT_EQ(a->lower_bound, b->lower_bound);
   EXPECT_EQ(a->rule.gear_change_cost, b->rule.gear_change_cost);
   EXPECT_EQ(a->rule.reverse_weight, b->rule.reverse_weight);
 }

@@ -188,7 +188,7 @@ PathClaims claims_of(const RunResult& result) {
   if (!result.planner) return result.record.claims;
   const PlanOptions& options = result.record.options;
   StatedCost cost{.cost = result.record.result.cost, .rule = options.cost};
-  if (result.record.result.lower_bound > 0.0) cost.bound = result.record.result.lower_bound;
+  if (result.record.result.lower_bound > 0.0) cost.lower_bound = result.record.result.lower_bound;
   return {.cost = cost,
           .clearance = options.clearance,
           .steering = options.steering.value_or(Steering::reeds_shepp),

@@ -45,7 +45,7 @@ PlanOptions options_from(const py::handle& settings, const py::handle& own) {
 }
 
 py::tuple state_of(const StatedCost& cost) {
-  return py::make_tuple(cost.cost, common_texts({.cost = cost.rule}), cost.bound, cost.gap);
+  return py::make_tuple(cost.cost, common_texts({.cost = cost.rule}), cost.lower_bound, cost.gap);
 }
 
 StatedCost cost_from(const py::handle& given) {
