@@ -40,7 +40,7 @@ std::string default_of(const CommonOption& option) {
 /// An option as the help shows it.
 struct OptionText {
   std::string name;
-  std::string standard;
+  std::string default_value;
   std::string summary;
 };
 
@@ -49,7 +49,7 @@ OptionText option_text(const CommonOption& option) {
 }
 
 OptionText option_text(const OptionInfo& info) {
-  return {info.name, typed_text(vandplan::json_of(info.standard)),
+  return {info.name, typed_text(vandplan::json_of(info.default_value)),
           info.summary + "; " + info.range()};
 }
 
@@ -69,7 +69,7 @@ OptionText option_text(std::string_view name) {
 std::string line_of(const OptionText& text) {
   constexpr std::size_t column = 30;
   constexpr std::size_t widest = 100;
-  std::string lines = fmt::format("  {:<28}", text.name + "=" + text.standard);
+  std::string lines = fmt::format("  {:<28}", text.name + "=" + text.default_value);
   std::size_t at = lines.size();  // length of the current line
   const auto break_line = [&] {
     lines += "\n" + std::string(column, ' ');
@@ -94,8 +94,8 @@ void add_to(std::vector<OptionText>& texts, const OptionText& text) {
     return;
   }
   const bool is_listed =
-      ("|" + known->standard + "|").find("|" + text.standard + "|") != std::string::npos;
-  if (!is_listed) known->standard += "|" + text.standard;
+      ("|" + known->default_value + "|").find("|" + text.default_value + "|") != std::string::npos;
+  if (!is_listed) known->default_value += "|" + text.default_value;
 }
 
 /// Help on the own options of all planners of a family.
@@ -133,7 +133,7 @@ void add_option_flags(CLI::App& command, std::vector<TypedOption>& typed) {
     };
     command.add_option_function<std::string>(flag.flag, add, text.summary)
         ->type_name(flag.value)
-        ->default_str(text.standard);
+        ->default_str(text.default_value);
   }
   const auto add = [&typed](const std::vector<std::string>& settings) {
     for (const std::string& setting : settings) typed.push_back(typed_setting(setting));

@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 Json json_of_option(const OptionInfo& info) {
   return {{"name", info.name},
           {"summary", info.summary},
-          {"default", Json::parse(vandplan::json_of(info.standard))},
+          {"default", Json::parse(vandplan::json_of(info.default_value))},
           {"range", info.range()}};
 }
 

@@ -62,7 +62,7 @@ const Planner mine{.name = "mine",
                    .properties = {.family = "tree"},
                    .options = {{.name = "goal_share",
                                 .summary = "share of samples that are the goal",
-                                .standard = 0.2,
+                                .default_value = 0.2,
                                 .least = 0,
                                 .most = 1}},
                    .function = grow};

@@ -206,11 +206,11 @@ struct Setting {
 /// for one that the planner does not honour.
 [[nodiscard]] std::vector<Setting> settings_of(const PlanOptions& options);
 
-/// An option of one planner. The type of `standard` is the type of its values.
+/// An option of one planner. The type of `default_value` is the type of its values.
 struct OptionInfo {
   std::string name;
   std::string summary;                  ///< meaning and unit, half a sentence
-  OptionValue standard;                 ///< default value
+  OptionValue default_value;            ///< default value
   double least = 0.0;                   ///< smallest value of a number
   double most = 0.0;                    ///< largest value of a number
   std::vector<std::string> words = {};  ///< values that a word may have

@@ -129,22 +129,22 @@ std::vector<OptionInfo> options(Selection selection) {
   if (selection != Selection::nearest) {
     all.push_back({.name = "k",
                    .summary = "nearest nodes asked per sample",
-                   .standard = std::int64_t{5},
+                   .default_value = std::int64_t{5},
                    .least = 1,
                    .most = 10'000});
   }
   all.push_back({.name = "floor",
                  .summary = "floor of the probability that a node passes",
-                 .standard = 0.1,
+                 .default_value = 0.1,
                  .least = 0,
                  .most = 1});
   all.push_back({.name = "floor_reading",
                  .summary = "larger or smaller value of quality and floor",
-                 .standard = std::string("max"),
+                 .default_value = std::string("max"),
                  .words = {"max", "min"}});
   all.push_back({.name = "ranking",
                  .summary = "distance that ranks the nodes",
-                 .standard = std::string("reeds-shepp"),
+                 .default_value = std::string("reeds-shepp"),
                  .words = {estimate_names.begin(), estimate_names.end()}});
   all.insert(all.end(), {planning::max_nodes_option(5000), planning::try_goal_option(false),
                          planning::keep_tree_option(), planning::profile_option()});

@@ -96,8 +96,13 @@ PlannerAnswer plan(const Task& task, const PlanOptions& options, const Weights& 
   return answer;
 }
 
-OptionInfo weight_option(const char* name, const char* summary, double standard, double least) {
-  return {.name = name, .summary = summary, .standard = standard, .least = least, .most = 100};
+OptionInfo weight_option(const char* name, const char* summary, double default_value,
+                         double least) {
+  return {.name = name,
+          .summary = summary,
+          .default_value = default_value,
+          .least = least,
+          .most = 100};
 }
 
 std::vector<OptionInfo> with_shared(std::vector<OptionInfo> own) {

@@ -60,13 +60,13 @@ std::vector<OptionInfo> shared_options() {
   std::vector<OptionInfo> all = planning::estimate_options(table_name);
   for (OptionInfo& option : all) option.words.emplace_back(table_name);
   all.push_back(
-      {.name = "shots", .summary = "try exact connections to the goal", .standard = true});
+      {.name = "shots", .summary = "try exact connections to the goal", .default_value = true});
   all.push_back({.name = "max_nodes",
                  .summary = "largest number of vertices, up to 900 bytes each",
-                 .standard = std::int64_t{500'000},
+                 .default_value = std::int64_t{500'000},
                  .least = 1,
                  .most = 50'000'000});
-  all.push_back({.name = "keep_tree", .summary = "return the search tree", .standard = false});
+  all.push_back({.name = "keep_tree", .summary = "return the search tree", .default_value = false});
   return all;
 }
 

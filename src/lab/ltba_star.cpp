@@ -111,17 +111,17 @@ class Run {
 std::vector<OptionInfo> ltba_star_options() {
   std::vector<OptionInfo> all = {{.name = "cycle_expansions",
                                   .summary = "edges per cycle under an iteration limit",
-                                  .standard = std::int64_t{500},
+                                  .default_value = std::int64_t{500},
                                   .least = 1,
                                   .most = 1'000'000'000},
                                  {.name = "cycle_time",
                                   .summary = "duration of a cycle [s]",
-                                  .standard = 0.01,
+                                  .default_value = 0.01,
                                   .least = 0.001,
                                   .most = 10},
                                  {.name = "weight",
                                   .summary = "weight of the estimate, 1: shortest path",
-                                  .standard = 1.0,
+                                  .default_value = 1.0,
                                   .least = 1,
                                   .most = 100}};
   for (OptionInfo& option : shared_options()) all.push_back(std::move(option));

@@ -136,16 +136,16 @@ Planner planner() {
   options.insert(options.begin(), planning::region_option());
   options.push_back({.name = "nodes",
                      .summary = "largest number of milestones",
-                     .standard = std::int64_t{10'000},
+                     .default_value = std::int64_t{10'000},
                      .least = 1,
                      .most = 1'000'000});
   options.push_back({.name = "neighbours",
                      .summary = "older milestones joined to each milestone",
-                     .standard = std::int64_t{12},
+                     .default_value = std::int64_t{12},
                      .least = 1,
                      .most = 100});
   options.push_back(
-      {.name = "keep_tree", .summary = "return the last roadmap search", .standard = false});
+      {.name = "keep_tree", .summary = "return the last roadmap search", .default_value = false});
   return {.name = "prm",
           .summary = "roadmap of free poses, kept with the world for further queries",
           .properties = {.family = "prm",

@@ -37,7 +37,7 @@ std::vector<OptionInfo> options(bool tries_goal) {
           planning::max_nodes_option(5000),
           {.name = "max_parents",
            .summary = "parents tried per sample (OPT)",
-           .standard = std::int64_t{50},
+           .default_value = std::int64_t{50},
            .least = 1,
            .most = 10'000'000},
           planning::try_goal_option(tries_goal),

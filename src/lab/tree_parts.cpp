@@ -71,37 +71,39 @@ std::vector<Counter> counters_of(std::size_t nodes, std::int64_t solves, std::in
 OptionInfo goal_bias_option() {
   return {.name = "goal_bias",
           .summary = "share of samples that are the goal",
-          .standard = 0.05,
+          .default_value = 0.05,
           .least = 0,
           .most = 1};
 }
 
-OptionInfo max_nodes_option(std::int64_t standard) {
+OptionInfo max_nodes_option(std::int64_t default_value) {
   return {.name = "max_nodes",
           .summary = "largest search tree [nodes]",
-          .standard = standard,
+          .default_value = default_value,
           .least = 1,
           .most = 10'000'000};
 }
 
-OptionInfo try_goal_option(bool standard) {
-  return {.name = "try_goal", .summary = "try the goal from every new node", .standard = standard};
+OptionInfo try_goal_option(bool default_value) {
+  return {.name = "try_goal",
+          .summary = "try the goal from every new node",
+          .default_value = default_value};
 }
 
-OptionInfo range_option(double standard) {
+OptionInfo range_option(double default_value) {
   return {.name = "range",
           .summary = "longest step towards a sample [turning radii]",
-          .standard = standard,
+          .default_value = default_value,
           .least = 0.1,
           .most = 1e6};
 }
 
 OptionInfo keep_tree_option() {
-  return {.name = "keep_tree", .summary = "return the search tree", .standard = false};
+  return {.name = "keep_tree", .summary = "return the search tree", .default_value = false};
 }
 
 OptionInfo profile_option() {
-  return {.name = "profile", .summary = "measure time per phase", .standard = false};
+  return {.name = "profile", .summary = "measure time per phase", .default_value = false};
 }
 
 }  // namespace vandplan::planning

@@ -69,11 +69,11 @@ class Sampler {
 /// "goal_bias": share of samples that are the goal.
 [[nodiscard]] OptionInfo goal_bias_option();
 /// "max_nodes": size of the tree.
-[[nodiscard]] OptionInfo max_nodes_option(std::int64_t standard);
+[[nodiscard]] OptionInfo max_nodes_option(std::int64_t default_value);
 /// "try_goal": whether the goal is tried from every new node.
-[[nodiscard]] OptionInfo try_goal_option(bool standard);
+[[nodiscard]] OptionInfo try_goal_option(bool default_value);
 /// "range": longest step towards a sample [turning radii].
-[[nodiscard]] OptionInfo range_option(double standard);
+[[nodiscard]] OptionInfo range_option(double default_value);
 /// "keep_tree": whether the tree is part of the answer.
 [[nodiscard]] OptionInfo keep_tree_option();
 /// "profile": whether phases are measured.

@@ -83,7 +83,7 @@ Vehicle vehicle_in(const ob::StateSpace& space, const Vehicle& vehicle) {
 /// Value of an option as JSON.
 std::string text_of(const OptionInfo& info, const PlanOptions& options) {
   const OptionValue* const value = options.planner.find(info.name);
-  return json_of(value != nullptr ? *value : info.standard);
+  return json_of(value != nullptr ? *value : info.default_value);
 }
 
 }  // namespace

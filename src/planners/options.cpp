@@ -226,7 +226,7 @@ bool asks_for_table(const Planner& planner, const PlanOptions& options) {
         if (info == nullptr) return false;
         const OptionValue* const given = options.planner.find(key);
         const auto* const word =
-            std::get_if<std::string>(given != nullptr ? given : &info->standard);
+            std::get_if<std::string>(given != nullptr ? given : &info->default_value);
         return word != nullptr && *word == search::user_table;
       });
 }
@@ -287,7 +287,7 @@ PlanOptions complete(const Planner& planner, const PlanOptions& options, const V
   PlanOptions all = options;
   for (const OptionInfo& info : planner.options) {
     const OptionValue* const given = options.planner.find(info.name);
-    all.planner.set(info.name, given == nullptr ? info.standard : fitting_value(info, *given));
+    all.planner.set(info.name, given == nullptr ? info.default_value : fitting_value(info, *given));
   }
   settle_style(planner, vehicle, all);
   settle_table(planner, all);

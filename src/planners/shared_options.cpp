@@ -46,7 +46,7 @@ OptionInfo* find_option(Planner& planner, std::string_view name) {
 OptionInfo region_option() {
   return {.name = "region",
           .summary = "sampling region",
-          .standard = std::string("bounds"),
+          .default_value = std::string("bounds"),
           .words = {"bounds", "scene"}};
 }
 
@@ -54,16 +54,17 @@ Region region_of(const PlanOptions& options) {
   return options.planner.word("region") == "scene" ? Region::scene : Region::bounds;
 }
 
-std::vector<OptionInfo> estimate_options(std::string_view standard, std::string_view max_with) {
+std::vector<OptionInfo> estimate_options(std::string_view default_value,
+                                         std::string_view max_with) {
   const auto names = search::goal_estimate_names();
   OptionInfo first{.name = std::string(estimate_key),
                    .summary = "cost-to-go estimate",
-                   .standard = std::string(standard),
+                   .default_value = std::string(default_value),
                    .words = {names.begin(), names.end()}};
   OptionInfo second = first;
   second.name = max_with_key;
   second.summary = "second estimate, the larger counts";
-  second.standard = std::string(max_with);
+  second.default_value = std::string(max_with);
   second.words.insert(second.words.begin(), std::string(none));
   return {std::move(first), std::move(second)};
 }
@@ -71,7 +72,9 @@ std::vector<OptionInfo> estimate_options(std::string_view standard, std::string_
 void name_estimate(Planner& planner) {
   const OptionInfo* const first = find_option(planner, estimate_key);
   if (first == nullptr) return;
-  const auto word = [](const OptionInfo& info) { return std::get<std::string>(info.standard); };
+  const auto word = [](const OptionInfo& info) {
+    return std::get<std::string>(info.default_value);
+  };
   const std::string second = word(*find_option(planner, max_with_key));
   planner.properties.search = planner.name;
   planner.properties.estimate =
@@ -92,8 +95,8 @@ std::optional<Planner> with_estimate(Planner planner, std::string_view estimate)
   if (first == nullptr) return std::nullopt;
   const std::optional<Wanted> wanted = parsed(estimate, first->words);
   if (!wanted) return std::nullopt;
-  first->standard = std::string(wanted->first);
-  find_option(planner, max_with_key)->standard = std::string(wanted->second);
+  first->default_value = std::string(wanted->first);
+  find_option(planner, max_with_key)->default_value = std::string(wanted->second);
   planner.name += ":" + std::string(estimate);
   planner.properties.estimate = estimate;
   return planner;

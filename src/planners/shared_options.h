@@ -28,7 +28,7 @@ inline constexpr std::string_view table_key = "table";
 
 /// Options "estimate" and "max_with": the estimate that guides a search, and a second one; the
 /// larger value counts.
-[[nodiscard]] std::vector<OptionInfo> estimate_options(std::string_view standard,
+[[nodiscard]] std::vector<OptionInfo> estimate_options(std::string_view default_value,
                                                        std::string_view max_with = "none");
 
 /// Sets the properties `search` and `estimate` of a planner that takes an estimate: its own name,

@@ -234,12 +234,12 @@ const std::string& PlannerSettings::word(std::string_view name) const {
 }
 
 std::string OptionInfo::range() const {
-  if (std::holds_alternative<bool>(standard)) return "true or false";
-  if (std::holds_alternative<std::int64_t>(standard)) {
+  if (std::holds_alternative<bool>(default_value)) return "true or false";
+  if (std::holds_alternative<std::int64_t>(default_value)) {
     return text_of(static_cast<std::int64_t>(least)) + " to " +
            text_of(static_cast<std::int64_t>(most));
   }
-  if (std::holds_alternative<double>(standard)) return text_of(least) + " to " + text_of(most);
+  if (std::holds_alternative<double>(default_value)) return text_of(least) + " to " + text_of(most);
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i) {
     text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
@@ -327,7 +327,7 @@ std::string json_of(const OptionValue& value) {
 }
 
 OptionValue parsed_value(const OptionInfo& info, std::string_view text) {
-  OptionValue value = info.standard;
+  OptionValue value = info.default_value;
   try {
     std::visit([&](auto& held) { parse(text, held); }, value);
     if (!is_in_range(info, value)) reject(text, info.range());
@@ -341,10 +341,10 @@ OptionValue parsed_value(const OptionInfo& info, std::string_view text) {
 OptionValue fitting_value(const OptionInfo& info, const OptionValue& given) {
   OptionValue value = given;
   const auto* const integer = std::get_if<std::int64_t>(&given);
-  if (integer != nullptr && std::holds_alternative<double>(info.standard)) {
+  if (integer != nullptr && std::holds_alternative<double>(info.default_value)) {
     value = static_cast<double>(*integer);
   }
-  require(value.index() == info.standard.index() && is_in_range(info, value), info.name,
+  require(value.index() == info.default_value.index() && is_in_range(info, value), info.name,
           json_of(given), info.range());
   return value;
 }

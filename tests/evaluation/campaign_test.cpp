@@ -22,9 +22,9 @@ Planner planner(const std::string& name) {
           .summary = "",
           .options = {{.name = "region",
                        .summary = "",
-                       .standard = std::string("bounds"),
+                       .default_value = std::string("bounds"),
                        .words = {"bounds", "scene"}},
-                      {.name = "profile", .summary = "", .standard = false}},
+                      {.name = "profile", .summary = "", .default_value = false}},
           .function = no_plan};
 }
 

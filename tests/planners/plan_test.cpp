@@ -258,7 +258,7 @@ Planner straight_planner(const std::shared_ptr<int>& runs) {
           .summary = "for goals straight ahead",
           .options = {{.name = "parts",
                        .summary = "segments of the path",
-                       .standard = std::int64_t{2},
+                       .default_value = std::int64_t{2},
                        .least = 1,
                        .most = 9}},
           .function = [runs](const Task& task, const PlanOptions& options) {

@@ -111,10 +111,10 @@ TEST(PlannerOptions, EveryOneReadsBackWhatItWrites) {
   for (const Planner& planner : planners()) {
     for (const OptionInfo& info : planner.options) {
       SCOPED_TRACE(planner.name + " " + info.name);
-      std::string text = json_of(info.standard);
+      std::string text = json_of(info.default_value);
       if (text.front() == '"') text = text.substr(1, text.size() - 2);
-      EXPECT_EQ(parsed_value(info, text), info.standard);
-      EXPECT_EQ(fitting_value(info, info.standard), info.standard);
+      EXPECT_EQ(parsed_value(info, text), info.default_value);
+      EXPECT_EQ(fitting_value(info, info.default_value), info.default_value);
       EXPECT_FALSE(info.summary.empty());
       EXPECT_FALSE(info.range().empty());
     }

@@ -75,10 +75,11 @@ OptionValue value_from(const py::handle& given, const std::string& name) {
 OptionInfo option_from(const std::string& name, const py::handle& given) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   OptionInfo info{
-      .name = name, .summary = name, .standard = {}, .least = -infinity, .most = infinity};
+      .name = name, .summary = name, .default_value = {}, .least = -infinity, .most = infinity};
   if (!py::isinstance<py::tuple>(given)) {
-    info.standard = value_from(given, name);
-    if (const auto* const word = std::get_if<std::string>(&info.standard)) info.words = {*word};
+    info.default_value = value_from(given, name);
+    if (const auto* const word = std::get_if<std::string>(&info.default_value))
+      info.words = {*word};
     return info;
   }
   const auto parts = py::reinterpret_borrow<py::tuple>(given);
@@ -86,7 +87,7 @@ OptionInfo option_from(const std::string& name, const py::handle& given) {
     throw InputError("options." + name,
                      "expected a default, (default, least, most) or (default, words)");
   }
-  info.standard = value_from(parts[0], name);
+  info.default_value = value_from(parts[0], name);
   if (parts.size() == 2) {
     info.words = parts[1].cast<std::vector<std::string>>();
   } else {
@@ -118,7 +119,7 @@ std::shared_ptr<Planner> make_planner(const std::string& name, const py::functio
 py::dict options_of(const Planner& planner) {
   py::dict options;
   for (const OptionInfo& info : planner.options) {
-    options[info.name.c_str()] = py::dict("default"_a = object_of(info.standard),
+    options[info.name.c_str()] = py::dict("default"_a = object_of(info.default_value),
                                           "range"_a = info.range(), "summary"_a = info.summary);
   }
   return options;
@@ -149,7 +150,7 @@ py::tuple planner_state(const Planner& planner) {
   if (own == nullptr) return py::make_tuple("named", planner.name);
   py::list options;
   for (const OptionInfo& o : planner.options) {
-    options.append(py::make_tuple(o.name, o.standard, o.least, o.most, o.words));
+    options.append(py::make_tuple(o.name, o.default_value, o.least, o.most, o.words));
   }
   const PlannerProperties& p = planner.properties;
   return py::make_tuple("own", planner.name, *own->kept, planner.summary, options, p.honours_prices,
@@ -171,7 +172,7 @@ std::shared_ptr<Planner> planner_of(const py::tuple& state) {
     const auto name = option[0].cast<std::string>();
     planner->options.push_back({.name = name,
                                 .summary = name,
-                                .standard = value_from(option[1], name),
+                                .default_value = value_from(option[1], name),
                                 .least = option[2].cast<double>(),
                                 .most = option[3].cast<double>(),
                                 .words = option[4].cast<std::vector<std::string>>()});

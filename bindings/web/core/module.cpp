@@ -326,7 +326,7 @@ val options_of(const Planner& planner) {
     val object = val::object();
     object.set("name", option.name);
     object.set("summary", option.summary);
-    object.set("standard", json_of(option.standard));
+    object.set("standard", json_of(option.default_value));
     object.set("range", option.range());
     list.set(i, object);
   }

@@ -217,7 +217,7 @@ void Tidier::lengthen_strokes(double least) {
 OptionInfo min_stroke_option() {
   return {.name = "min_stroke",
           .summary = "least distance between gear changes, if there is room [m]",
-          .standard = 0.0,
+          .default_value = 0.0,
           .least = 0.0,
           .most = 100.0};
 }
