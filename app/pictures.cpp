@@ -22,7 +22,7 @@ namespace {
 constexpr int picture_width = 1200;  // pixels or points
 constexpr const char* strip_flag = "--curvature-strip";
 constexpr const char* play_flag = "--play";
-constexpr std::size_t room = 48;  // pictures on a sheet of pairs
+constexpr std::size_t max_pictures = 48;  // pictures on a sheet of pairs
 
 std::string captioned_outcome(const PlanResult& result) {
   if (!result.path) return std::string(name_of(result.status));
@@ -142,7 +142,7 @@ DrawnPairs write_picture(const PictureWish& wish, const ScenarioFile& scenario,
   DrawnPairs drawn;
   while (std::optional<PairRecord> next = results.next()) {
     if (pair && next->pair != *pair) continue;
-    drawn.is_all = sheet.drawings.size() < room;
+    drawn.is_all = sheet.drawings.size() < max_pictures;
     if (!drawn.is_all) break;
     const PairPicture& picture = pictures.emplace_back(picture_of(scenario, *std::move(next)));
     Drawing drawing = drawing_of(picture.scenario, &picture.pair.record);

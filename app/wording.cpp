@@ -19,7 +19,7 @@ struct Unit {
 constexpr std::array length_units = {Unit{1.0, "m"}, Unit{1e-3, "mm"}, Unit{1e-6, "um"}};
 constexpr std::array time_units = {Unit{1.0, "s"}, Unit{1e-3, "ms"}, Unit{1e-6, "us"},
                                    Unit{1e-9, "ns"}};
-constexpr double known_to = 1e-3;  // accuracy of the judge's clearance [m]
+constexpr double clearance_accuracy = 1e-3;  // accuracy of the judge's clearance [m]
 
 /// A value in the largest unit of which it is at least a tenth. The first unit is that of `value`.
 std::string with_unit(double value, std::span<const Unit> units) {
@@ -52,7 +52,9 @@ std::string seconds_text(double seconds) { return with_unit(seconds, time_units)
 std::string clearance_text(double clearance) {
   if (!std::isfinite(clearance)) return "no obstacles";
   const std::string text = "clearance " + metres_text(clearance);
-  return clearance < 10 * known_to ? text + " (accurate to " + metres_text(known_to) + ")" : text;
+  return clearance < 10 * clearance_accuracy
+             ? text + " (accurate to " + metres_text(clearance_accuracy) + ")"
+             : text;
 }
 
 std::string path_text(const PathCheck& check) {

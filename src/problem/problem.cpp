@@ -51,7 +51,7 @@ void expect_made(const Problem& problem) {
 }
 
 /// Checks poses, curvatures and hitch angles of start and goal, or the set of goals.
-void check_goal(const Scenario& scenario) {
+void check_ends(const Scenario& scenario) {
   if (!scenario.goal_set.empty()) {
     problem::check_goal_set(scenario.goal_set, scenario.vehicle, scenario.start);
     problem::check_curvature(scenario.curvatures.start, scenario.vehicle, "start.curvature");
@@ -149,7 +149,7 @@ void check_scenario(const Scenario& scenario) {
   problem::check_pose(scenario.start, "start");
   (void)checked(surroundings(scenario),
                 problem::local_origin({scenario.start.x, scenario.start.y}));
-  check_goal(scenario);
+  check_ends(scenario);
   (void)problem::local_moving(scenario.moving,
                               problem::local_origin({scenario.start.x, scenario.start.y}));
 }
