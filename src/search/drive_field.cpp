@@ -16,16 +16,16 @@ constexpr double straight_cells = 1.5;
 constexpr double bucket = 0.02;  // Range of ranks in a bucket [turning radii].
 constexpr double most_buckets = 8192.0;
 constexpr float sure_steps = 0.3F;     // Clearance above which a step is free [step lengths].
-constexpr float sure_fineness = 4.0F;  // Added to that clearance [errors of the room].
+constexpr float sure_fineness = 4.0F;  // Added to that clearance [errors of the raster].
 constexpr float patience = 2.0F;  // Increase of a rank after which a node waits again [buckets].
 constexpr float unasked = -1.0F;
 
 }  // namespace
 
-DriveField::DriveField(Connector& connector, Room& room, const Bounds& box,
+DriveField::DriveField(Connector& connector, ClearanceRaster& raster, const Bounds& box,
                        const FieldOptions& options, const Pose& root, GearSign driven, double most)
     : connector_(connector),
-      room_(room),
+      raster_(raster),
       root_(root),
       headings_(options.headings),
       turn_(2 * std::numbers::pi / options.headings),
@@ -74,7 +74,7 @@ DriveField::DriveField(Connector& connector, Room& room, const Bounds& box,
              0,
              static_cast<std::int8_t>(driven),
              true};
-  first.near = near_at(room_at(first));
+  first.near = near_at(clearance_at(first));
   nodes_.push_back(first);
 }
 
@@ -163,27 +163,29 @@ double DriveField::least_cost() {
   return static_cast<double>(static_cast<float>(front_) / buckets_of_metre_);
 }
 
-float DriveField::room_at(const Node& node) noexcept {
+float DriveField::clearance_at(const Node& node) noexcept {
   const auto heading = static_cast<std::size_t>(node.heading);
-  return room_.clearance(node.x, node.y, cos_[heading], sin_[heading]);
+  return raster_.clearance(node.x, node.y, cos_[heading], sin_[heading]);
 }
 
 /// Cost that small clearance adds to a metre.
-float DriveField::near_at(float room) const noexcept {
-  return clearance_weight_ * std::max(0.0F, 1.0F - std::max(room, 0.0F) * clearances_of_metre_);
+float DriveField::near_at(float clearance) const noexcept {
+  return clearance_weight_ *
+         std::max(0.0F, 1.0F - std::max(clearance, 0.0F) * clearances_of_metre_);
 }
 
 /// Whether the step to a node is free. Adds the cost of small clearance to the node and its rank.
 bool DriveField::enter(Node& node, float& rank) {
   const Node& parent = this->node(node.parent);
-  const float room = room_at(node);
-  if (room < -room_.fineness()) return false;  // An obstacle overlaps the body.
+  const float clearance = clearance_at(node);
+  if (clearance < -raster_.fineness()) return false;  // An obstacle overlaps the body.
   const Segment step = step_to(node);
   const float sure =
-      sure_steps * static_cast<float>(std::abs(step.length)) + sure_fineness * room_.fineness();
-  if ((room < sure || !room_.is_trusted()) && !connector_.is_free(pose(parent), step)) return false;
+      sure_steps * static_cast<float>(std::abs(step.length)) + sure_fineness * raster_.fineness();
+  if ((clearance < sure || !raster_.is_trusted()) && !connector_.is_free(pose(parent), step))
+    return false;
   node.is_open = true;
-  node.near = near_at(room);
+  node.near = near_at(clearance);
   const float added = 0.5F * (node.near + parent.near) * static_cast<float>(std::abs(step.length));
   node.cost += added;
   rank += added;

@@ -11,8 +11,8 @@
 #include <limits>
 #include <vector>
 
+#include "search/clearance_raster.h"
 #include "search/guide.h"
-#include "search/room.h"
 #include "vandplan/search.h"
 
 namespace vandplan::search {
@@ -46,9 +46,9 @@ class DriveField {
 
   /// Ways begin at the root, after driving in gear `driven`. Ways that cost more than `most` in
   /// total are ignored [m]. The connector must have the cost rule of this direction. Connector and
-  /// room must outlive the field, and the room must be complete.
-  DriveField(Connector& connector, Room& room, const Bounds& box, const FieldOptions& options,
-             const Pose& root, GearSign driven, double most);
+  /// raster must outlive the field, and the raster must be complete.
+  DriveField(Connector& connector, ClearanceRaster& raster, const Bounds& box,
+             const FieldOptions& options, const Pose& root, GearSign driven, double most);
 
   /// Sets the cost-to-go: the estimate of a guide, or the costs of a field of the opposite
   /// direction. That field needs the same box and options; where it has no pose, there is no way.
@@ -103,13 +103,13 @@ class DriveField {
   [[nodiscard]] float to_go(const Node& node, std::int64_t cell);
   void push(const Entry& entry);
   void find_front();
-  [[nodiscard]] float room_at(const Node& node) noexcept;
-  [[nodiscard]] float near_at(float room) const noexcept;
+  [[nodiscard]] float clearance_at(const Node& node) noexcept;
+  [[nodiscard]] float near_at(float clearance) const noexcept;
   [[nodiscard]] bool enter(Node& node, float& rank);
   void expand(std::int32_t id);
 
   Connector& connector_;
-  Room& room_;
+  ClearanceRaster& raster_;
   Pose root_;
   int headings_;
   double turn_;

@@ -21,7 +21,7 @@ namespace vandplan {
 namespace {
 
 using search::Connector, search::CostRule, search::DriveField, search::Driven;
-using search::FieldOptions, search::GridDistance, search::Room;
+using search::FieldOptions, search::GridDistance, search::ClearanceRaster;
 
 constexpr Bounds area{-40, 40, -40, 40};
 constexpr CostRule driver{
@@ -61,23 +61,23 @@ void finish(Work& work) {
   }
 }
 
-Room finished(Room room) {
+ClearanceRaster finished(ClearanceRaster room) {
   finish(room);
   return room;
 }
 
-double room_at(Room& room, const Pose& pose) {
+double room_at(ClearanceRaster& raster, const Pose& pose) {
   const base::SinCos heading = base::sin_cos(pose.heading);
-  return room.clearance(static_cast<float>(pose.x), static_cast<float>(pose.y),
-                        static_cast<float>(heading.cos), static_cast<float>(heading.sin));
+  return raster.clearance(static_cast<float>(pose.x), static_cast<float>(pose.y),
+                          static_cast<float>(heading.cos), static_cast<float>(heading.sin));
 }
 
 // ---- room ----
 
-TEST(Room, IsAboutTheClearance) {
+TEST(ClearanceRaster, IsAboutTheClearance) {
   for_each_case(1, 40, [](Rng& rng) {
     const Problem problem = some_problem(rng);
-    Room room = finished(Room(problem.task(), area, 3.0));
+    ClearanceRaster room = finished(ClearanceRaster(problem.task(), area, 3.0));
     for (int i = 0; i < 50; ++i) {
       const Pose pose = free_pose(*problem.task().checker, rng);
       const double clearance = problem.task().checker->clearance(Local(pose), 3.0);
@@ -87,7 +87,7 @@ TEST(Room, IsAboutTheClearance) {
   });
 }
 
-TEST(Room, IsAboutTheClearanceFromTheCellsOfAMap) {
+TEST(ClearanceRaster, IsAboutTheClearanceFromTheCellsOfAMap) {
   constexpr std::int32_t columns = 120, rows = 100;
   std::vector<Cell> cells(columns * rows, Cell::free);
   for (std::size_t i = 40; i < 60; ++i) cells[50 * columns + i] = Cell::occupied;
@@ -97,7 +97,7 @@ TEST(Room, IsAboutTheClearanceFromTheCellsOfAMap) {
                           .rows = rows,
                           .cells = std::make_shared<const std::vector<Cell>>(std::move(cells))};
   const Problem problem = problem_in({.bounds = area, .map = map}, {-20, 10, 0}, {20, 10, 0});
-  Room room = finished(Room(problem.task(), area, 3.0));
+  ClearanceRaster room = finished(ClearanceRaster(problem.task(), area, 3.0));
   for_each_case(2, 200, [&](Rng& rng) {
     const Pose pose = free_pose(*problem.task().checker, rng);
     const double clearance = problem.task().checker->clearance(Local(pose), 3.0);
@@ -106,28 +106,28 @@ TEST(Room, IsAboutTheClearanceFromTheCellsOfAMap) {
   });
 }
 
-TEST(Room, IsCountedFromTheMargin) {
+TEST(ClearanceRaster, IsCountedFromTheMargin) {
   const Surroundings wall{.bounds = area, .obstacles = {box(-40, 10, 40, 11)}};
   const Pose pose{0, 0, 0};
   const Problem problem = problem_in(wall, pose, {20, 0, 0});
   Task task = problem.task();
-  Room room = finished(Room(task, area, 9.0));
+  ClearanceRaster room = finished(ClearanceRaster(task, area, 9.0));
   task.least_margin = 1.5;
-  Room with_margin = finished(Room(task, area, 9.0));
+  ClearanceRaster with_margin = finished(ClearanceRaster(task, area, 9.0));
   EXPECT_NEAR(room_at(room, pose), 10 - task.vehicle.width / 2, 0.3);
   EXPECT_NEAR(room_at(room, pose) - room_at(with_margin, pose), 1.5, 1e-4);
 }
 
-TEST(Room, IsNoGroundForTrustBesideKerbsOrWithAnOutline) {
+TEST(ClearanceRaster, IsNoGroundForTrustBesideKerbsOrWithAnOutline) {
   const Problem open = problem_of({}, {20, 0, 0}, {});
   const Problem beside_kerb =
       problem_in({.bounds = area, .kerbs = {box(-5, 5, 5, 6)}}, {}, {20, 0, 0});
   Vehicle drop;
   drop.outline = {{-1, -1}, {4, -1}, {5, 0}, {4, 1}, {-1, 1}};
   const Problem with_outline = problem_of({}, {20, 0, 0}, {}, area, drop);
-  EXPECT_TRUE(Room(open.task(), area, 1.0).is_trusted());
-  EXPECT_FALSE(Room(beside_kerb.task(), area, 1.0).is_trusted());
-  EXPECT_FALSE(Room(with_outline.task(), area, 1.0).is_trusted());
+  EXPECT_TRUE(ClearanceRaster(open.task(), area, 1.0).is_trusted());
+  EXPECT_FALSE(ClearanceRaster(beside_kerb.task(), area, 1.0).is_trusted());
+  EXPECT_FALSE(ClearanceRaster(with_outline.task(), area, 1.0).is_trusted());
 }
 
 // ---- field ----
@@ -139,7 +139,7 @@ struct Fields {
         forth(task, rule),
         back(task, reversed(rule, 0)),
         guide(task, area, 0.5, task.start, task.goal),
-        room(finished(Room(task, area, 3.0))),
+        room(finished(ClearanceRaster(task, area, 3.0))),
         from_goal(back, room, area, options, task.goal, 0, most),
         from_start(forth, room, area, options, task.start, 0, most) {
     finish(guide);
@@ -149,7 +149,7 @@ struct Fields {
   Task task;
   Connector forth, back;
   GridDistance guide;
-  Room room;
+  ClearanceRaster room;
   DriveField from_goal, from_start;
 };
 

@@ -56,19 +56,19 @@ Driven driven_of(const Connector& connector, const DriveField::Node& node) {
 Survey::Survey(const Task& task, const CostRule& rule)
     : task_(task), forth_(task, rule), back_(task, reversed(rule, 0)), box_(box_around(task)) {}
 
-// Prepares the guide and the room. True when both are complete.
+// Prepares the guide and the raster. True when both are complete.
 bool Survey::prepare() {
   if (!guide_) {
     const CostRule& rule = forth_.rule();
     guide_ = std::make_unique<GridDistance>(
         task_, sampling_region(task_, Region::scene), survey_guide_side, task_.start, task_.goal,
         ClearancePrice{rule.clearance_weight, rule.clearance_distance});
-    room_ = std::make_unique<Room>(
+    raster_ = std::make_unique<ClearanceRaster>(
         task_, box_, std::max(rule.clearance_distance, room_of_step * forth_.radius()));
     return false;
   }
   for (int i = 0; i < steps_of_preparing; ++i) {
-    if (!guide_->step() && !room_->step()) return true;
+    if (!guide_->step() && !raster_->step()) return true;
   }
   return false;
 }
@@ -84,7 +84,8 @@ void Survey::begin_pass() {
   const double shifts = shift * static_cast<double>(times_around);
   const double offset = std::fmod(shifts, 1.0) * options_.cell * forth_.radius();
   cells_ = {box_.x_min - offset, box_.x_max, box_.y_min - offset, box_.y_max};
-  from_goal_ = std::make_unique<DriveField>(back_, *room_, cells_, options_, task_.goal, 0, most_);
+  from_goal_ =
+      std::make_unique<DriveField>(back_, *raster_, cells_, options_, task_.goal, 0, most_);
   from_goal_->look_towards(*guide_);
   has_met_ = false;
   poses_ = 0;
@@ -131,7 +132,7 @@ bool Survey::go_back() {
 }
 
 void Survey::go_forth() {
-  from_start_ = std::make_unique<DriveField>(forth_, *room_, cells_, options_, task_.start,
+  from_start_ = std::make_unique<DriveField>(forth_, *raster_, cells_, options_, task_.start,
                                              forth_.rule().initial_gear, most_);
   from_start_->look_towards(*from_goal_);
   if (from_start_->is_exhausted()) return end();

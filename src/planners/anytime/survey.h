@@ -13,9 +13,9 @@
 
 #include "planners/anytime/kinds.h"
 #include "planners/anytime/source.h"
+#include "search/clearance_raster.h"
 #include "search/drive_field.h"
 #include "search/grid_distance.h"
-#include "search/room.h"
 #include "search/route.h"
 #include "vandplan/search.h"
 
@@ -75,7 +75,7 @@ class Survey final : public Source {
   Bounds box_;
   double cutoff_ = std::numeric_limits<double>::infinity();
   std::unique_ptr<GridDistance> guide_;
-  std::unique_ptr<Room> room_;
+  std::unique_ptr<ClearanceRaster> raster_;
   bool is_prepared_ = false;
   std::size_t passes_ = 0;  // passes so far, the glance included
   double most_ = 0.0;       // largest cost of a way in this pass [m]

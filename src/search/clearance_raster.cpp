@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "search/room.h"
+#include "search/clearance_raster.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ constexpr std::int64_t looks_of_step = 2000;  // Cells beside sides that one cal
 
 }  // namespace
 
-Room::Room(const Task& task, const Bounds& box, double most)
+ClearanceRaster::ClearanceRaster(const Task& task, const Bounds& box, double most)
     : ground_(&task.world->local()),
       map_(ground_->map ? task.checker.get() : nullptr),
       box_(box),
@@ -59,16 +59,16 @@ Room::Room(const Task& task, const Bounds& box, double most)
   }
 }
 
-std::int32_t Room::column_of(double x) const noexcept {
+std::int32_t ClearanceRaster::column_of(double x) const noexcept {
   return static_cast<std::int32_t>(std::clamp((x - box_.x_min) / side_, 0.0, columns_ - 1.0));
 }
 
-std::int32_t Room::row_of(double y) const noexcept {
+std::int32_t ClearanceRaster::row_of(double y) const noexcept {
   return static_cast<std::int32_t>(std::clamp((y - box_.y_min) / side_, 0.0, rows_ - 1.0));
 }
 
 /// Stores the distance to a side in the cells around it. Returns the number of cells it looked at.
-std::int64_t Room::mark(const Point& a, const Point& b) {
+std::int64_t ClearanceRaster::mark(const Point& a, const Point& b) {
   std::int64_t looks = 1;
   const std::int32_t last_row = row_of(std::max(a.y, b.y) + furthest_);
   for (std::int32_t row = row_of(std::min(a.y, b.y) - furthest_); row <= last_row; ++row) {
@@ -87,7 +87,7 @@ std::int64_t Room::mark(const Point& a, const Point& b) {
   return looks;
 }
 
-bool Room::step() {
+bool ClearanceRaster::step() {
   const std::vector<Polygon>& obstacles = ground_->obstacles;
   for (std::int64_t looks = 0; looks < looks_of_step && polygon_ < obstacles.size();) {
     const Polygon& polygon = obstacles[polygon_];
@@ -101,7 +101,7 @@ bool Room::step() {
 
 /// Distance from the centre of a cell [m]. A map is looked up on demand: most cells are never asked
 /// for, and looking all up takes long.
-float Room::distance_of(std::int32_t column, std::int32_t row) noexcept {
+float ClearanceRaster::distance_of(std::int32_t column, std::int32_t row) noexcept {
   const auto cell = static_cast<std::size_t>(row * columns_ + column);
   float& distance = distances_[cell];
   if (map_ == nullptr || is_asked_[cell]) return distance;
@@ -111,7 +111,7 @@ float Room::distance_of(std::int32_t column, std::int32_t row) noexcept {
   return distance;
 }
 
-float Room::distance(float x, float y) noexcept {
+float ClearanceRaster::distance(float x, float y) noexcept {
   const float column = (x - static_cast<float>(box_.x_min)) * per_side_ - 0.5F;
   const float row = (y - static_cast<float>(box_.y_min)) * per_side_ - 0.5F;
   const bool is_inside = column >= 0.0F && row >= 0.0F &&
@@ -131,7 +131,7 @@ float Room::distance(float x, float y) noexcept {
   return below + up * (above - below);
 }
 
-float Room::clearance(float x, float y, float cos, float sin) noexcept {
+float ClearanceRaster::clearance(float x, float y, float cos, float sin) noexcept {
   float least = most_;
   const float around = distance(x + cos * middle_, y + sin * middle_);
   if (around - reach_ >= least) return least;

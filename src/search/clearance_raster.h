@@ -15,11 +15,11 @@ namespace vandplan::search {
 /// Approximate clearance of the body from obstacles and blocked cells, beyond the margin. It uses
 /// distances on a raster, and discs and corners in place of the body. Kerbs are ignored. An
 /// estimate, no guarantee.
-class Room {
+class ClearanceRaster {
  public:
   /// Covers a box. Clearances above `most` [m] are not distinguished. The task's world must outlive
-  /// the room.
-  Room(const Task& task, const Bounds& box, double most);
+  /// the raster.
+  ClearanceRaster(const Task& task, const Bounds& box, double most);
 
   /// Does some ten microseconds of work. False when nothing is left to do.
   bool step();
