@@ -16,14 +16,14 @@ constexpr double rounding = 1e-9;  // rounding error of sums of times [s]
 
 // A bin holds the vehicles that would arrive within it if they waited no more. A vehicle that
 // drives on stays in its bin; a vehicle that waits gets into the next one.
-Arrivals::Arrivals(const Occupied& occupied, std::span<const Passage> passages)
+Arrivals::Arrivals(const Occupied& occupied, std::span<const StationTimes> times)
     : occupied_(occupied),
-      passages_(passages.begin(), passages.end()),
-      first_(passages.front().left + passages.front().pause),
+      times_(times.begin(), times.end()),
+      first_(times.front().left + times.front().pause),
       step_(std::max(finest_step, occupied.last_change() / most_steps)),
       bins_(static_cast<std::size_t>(occupied.last_change() / step_) + 2),
-      arrivals_(passages.size() * bins_, forever) {
-  const std::size_t last = passages_.size() - 1;
+      arrivals_(times.size() * bins_, forever) {
+  const std::size_t last = times_.size() - 1;
   for (std::size_t bin = bins_; bin-- > 0;) {
     const bool is_last_bin = bin + 1 == bins_;
     const double end = is_last_bin ? occupied.last_change() + first_ : begin_of(bin + 1);
@@ -45,8 +45,8 @@ double Arrivals::begin_of(std::size_t bin) const noexcept {
 
 // Whether a vehicle of the bin may find row `i` free for as long as it needs to pass.
 bool Arrivals::may_pass(std::size_t i, std::size_t bin) const {
-  const Passage& here = passages_[i];
-  const Passage& next = passages_[i + 1];
+  const StationTimes& here = times_[i];
+  const StationTimes& next = times_[i + 1];
   const double needed = std::max(here.left - next.left - next.pause - rounding, 0.0);
   const double begin = begin_of(bin) - here.left - rounding;
   const double end = bin + 1 == bins_ ? forever : begin + step_ + 2 * rounding;
@@ -57,7 +57,7 @@ bool Arrivals::may_pass(std::size_t i, std::size_t bin) const {
 // Whether a vehicle of the bin may stand at station `i` when the next bin begins.
 bool Arrivals::may_stay(std::size_t i, std::size_t bin) const {
   if (bin + 1 == bins_) return false;
-  const double t = begin_of(bin + 1) - passages_[i].left;
+  const double t = begin_of(bin + 1) - times_[i].left;
   const auto is_free = [&](std::size_t row) {
     return occupied_.next_free(row, t - rounding, 0.0) <= t + rounding;
   };
@@ -65,7 +65,7 @@ bool Arrivals::may_stay(std::size_t i, std::size_t bin) const {
 }
 
 double Arrivals::earliest(std::size_t i, double t) const noexcept {
-  const double unhindered = t + passages_[i].left;
+  const double unhindered = t + times_[i].left;
   const double step = std::max((unhindered - first_ - rounding) / step_, 0.0);
   const std::size_t bin = std::min(static_cast<std::size_t>(step), bins_ - 1);
   return std::max(unhindered, arrivals_[i * bins_ + bin]);

@@ -14,7 +14,7 @@
 namespace vandplan::moving {
 
 /// Station between two rows, with times of the fastest drive.
-struct Passage {
+struct StationTimes {
   double left = 0.0;   ///< least time from leaving the station to the end of the path [s]
   double pause = 0.0;  ///< least time that the vehicle stands at the station [s]
 };
@@ -23,8 +23,8 @@ struct Passage {
 /// reaches full speed at once, hence also for a real one.
 class Arrivals {
  public:
-  /// `passages` belong to the stations of `occupied`, which is kept by reference.
-  Arrivals(const Occupied& occupied, std::span<const Passage> passages);
+  /// `times` belong to the stations of `occupied`, which is kept by reference.
+  Arrivals(const Occupied& occupied, std::span<const StationTimes> times);
 
   /// Earliest time at which a drive can be at the end and stay there [s], if it leaves station `i`
   /// at time `t` or later; infinity: never.
@@ -37,7 +37,7 @@ class Arrivals {
   [[nodiscard]] bool may_stay(std::size_t i, std::size_t bin) const;
 
   const Occupied& occupied_;
-  std::vector<Passage> passages_;
+  std::vector<StationTimes> times_;
   double first_;                  // arrival of the fastest drive [s]
   double step_;                   // width of a bin of arrival times [s]
   std::size_t bins_;              // number of bins of arrival times; the last one has no end

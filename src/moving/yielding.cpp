@@ -107,11 +107,11 @@ std::vector<double> places_of(const std::vector<Station>& stations) {
   return places;
 }
 
-std::vector<Passage> passages_of(const std::vector<Station>& stations) {
-  std::vector<Passage> passages;
-  passages.reserve(stations.size());
-  for (const Station& station : stations) passages.push_back({station.left, station.pause});
-  return passages;
+std::vector<StationTimes> station_times_of(const std::vector<Station>& stations) {
+  std::vector<StationTimes> times;
+  times.reserve(stations.size());
+  for (const Station& station : stations) times.push_back({station.left, station.pause});
+  return times;
 }
 
 /// Spans in which the vehicle can be in each row, on drives of at most `longest` seconds.
@@ -140,7 +140,7 @@ class Search {
         occupied_(encounters, places_of(stations_),
                   times_of(stations_, fastest.duration, traffic.longest),
                   {.most_boxes = traffic.most_states, .finest = traffic.is_hasty ? coarse : fine}),
-        arrivals_(occupied_, passages_of(stations_)),
+        arrivals_(occupied_, station_times_of(stations_)),
         rise_(2 * limits.max_acceleration),
         fall_(2 * limits.max_braking.value_or(limits.max_acceleration)),
         latest_(occupied_.last_change() + fastest.duration + time_step),
