@@ -34,9 +34,9 @@ struct MayComeNearer {
   bool operator()(const Part& a, const Part& b) const { return a.bound > b.bound; }
 };
 
-class Survey {
+class ClearanceSearch {
  public:
-  Survey(const Body& body, const Keeping& keeping)
+  ClearanceSearch(const Body& body, const Keeping& keeping)
       : body_(body), track_(body.track), keeping_(keeping) {}
 
   /// Look at the ends of all stretches, and between them. Both lower `least`; if it becomes 0,
@@ -98,18 +98,19 @@ class Survey {
   Effort effort_;
 };
 
-double Survey::clearance(const Onlooker& there, const Place& place, double half, double most) {
+double ClearanceSearch::clearance(const Onlooker& there, const Place& place, double half,
+                                  double most) {
   const double kept = kept_within(place, half);
   return std::max(clearance_of(there, half, most + kept, effort_) - kept, 0.0);
 }
 
-void Survey::look_at_ends() {
+void ClearanceSearch::look_at_ends() {
   const std::size_t count = track_.stretches.size();
   for (std::size_t i = 0; i < count && least_ > 0; ++i) look({i, 0});
   if (least_ > 0) look({count - 1, track_.stretches.back().length});
 }
 
-void Survey::look_between() {
+void ClearanceSearch::look_between() {
   std::priority_queue<Part, std::vector<Part>, MayComeNearer> parts;
   for (std::size_t i = 0; i < track_.stretches.size(); ++i) parts.push(whole(i));
   while (!parts.empty() && least_ > 0) {
@@ -128,7 +129,7 @@ void Survey::look_between() {
   }
 }
 
-Place Survey::first_touch(const Place& known) {
+Place ClearanceSearch::first_touch(const Place& known) {
   for (std::size_t i = 0; i <= known.stretch; ++i) {
     if (!is_before({i, 0}, known)) break;
     if (touches({i, 0})) return {i, 0};
@@ -137,7 +138,7 @@ Place Survey::first_touch(const Place& known) {
   return known;
 }
 
-std::optional<Place> Survey::first_touch_on(const Part& part, const Place& known) {
+std::optional<Place> ClearanceSearch::first_touch_on(const Part& part, const Place& known) {
   const Place middle = part.middle();
   if (!is_before({part.stretch, part.begin}, known)) return std::nullopt;
   if (bound_of(part, onlooker_at(body_, middle), look_distance) > 0) return std::nullopt;
@@ -155,7 +156,7 @@ std::optional<Place> Survey::first_touch_on(const Part& part, const Place& known
 
 /// Steps as long as the clearance cannot pass the first touch. If there are too many steps, the
 /// result is late by at most half of `look_distance`.
-Place Survey::contact(const Part& part, const Place& last) {
+Place ClearanceSearch::contact(const Part& part, const Place& last) {
   constexpr int most_steps = 100;
   constexpr double least_step = 1e-12;  // least motion of any point of the body in a step [m]
   Place place{part.stretch, part.begin};
@@ -181,12 +182,12 @@ double Keeping::most_within(const Position& place, double half) const {
 
 Nearest nearest_along(const Body& body, const Keeping& keeping) {
   if (body.ground.is_empty()) return {std::numeric_limits<double>::infinity(), {}, {}};
-  Survey survey(body, keeping);
-  survey.look_at_ends();
-  survey.look_between();
-  std::optional<Place> touch = survey.touch();
-  if (touch) touch = survey.first_touch(*touch);
-  return {survey.least(), touch, survey.effort()};
+  ClearanceSearch search(body, keeping);
+  search.look_at_ends();
+  search.look_between();
+  std::optional<Place> touch = search.touch();
+  if (touch) touch = search.first_touch(*touch);
+  return {search.least(), touch, search.effort()};
 }
 
 }  // namespace vandplan::judge
