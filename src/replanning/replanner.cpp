@@ -178,7 +178,7 @@ class Replanner::Impl {
   [[nodiscard]] const ReplanAnswer& answer() const noexcept { return out_; }
 
  private:
-  [[nodiscard]] Effort effort(std::int64_t iterations) const {
+  [[nodiscard]] WorkLimit limit(std::int64_t iterations) const {
     return {iterations, options_.tick_states,
             stream_seed(options_.plan.budget.seed, static_cast<std::uint64_t>(ticks_))};
   }
@@ -263,7 +263,7 @@ class Replanner::Impl {
   void begin(double t) {
     const Task& task = problem_.task();
     const Motion now{.pose = task.start, .curvature = task.curvatures.start};
-    Effort first = effort(options_.plan.budget.max_iterations.value_or(first_iterations));
+    WorkLimit first = limit(options_.plan.budget.max_iterations.value_or(first_iterations));
     first.seed = options_.plan.budget.seed;
     first.states = std::max<std::int64_t>(first.states, 200'000);
     Ways ways(scene_, options_.plan);
@@ -323,7 +323,7 @@ class Replanner::Impl {
     const bool stands = rest.drive.speeds.duration == 0.0;
     const double committed = stands || verdict.met < options_.committed ? 0.0 : options_.committed;
     const std::size_t rounds = verdict.is_good() || committed == 0.0 ? 1 : 2;
-    Effort each = effort(options_.tick_iterations * urgent_share / 2);
+    WorkLimit each = limit(options_.tick_iterations * urgent_share / 2);
     bool has_gone_around = false;
     std::vector<Way> found;  // the cheapest last
     for (std::size_t i = 0; i < rounds * looks.size(); ++i) {
@@ -369,7 +369,7 @@ class Replanner::Impl {
               .most = ways.cost_of(rest.drive) * (1 - options_.better)};
     const Look not_now = ticks_ % 2 == 0 ? Look::from_stop : Look::without_stop;
     // The current drive is good, so there is time for whole drives: fewer iterations, each dearer.
-    Effort calm = effort(static_cast<std::int64_t>(
+    WorkLimit calm = limit(static_cast<std::int64_t>(
         std::ceil(calm_share * static_cast<double>(options_.tick_iterations))));
     calm.whole_drive = true;
     std::vector<Way> found;  // the cheapest last
@@ -395,7 +395,7 @@ class Replanner::Impl {
     std::string fault;
     for (const double kept : {margin(), 0.0}) {
       for (int i = 0; i < Ways::stops; ++i) {
-        Effort each = effort(0);
+        WorkLimit each = limit(0);
         each.states = std::max<std::int64_t>(each.states * urgent_share - ways.work().states, 0);
         auto way = ways.to_stop(i, rest, kept, each);
         if (!way) continue;

@@ -69,7 +69,7 @@ double Ways::cost_of(const TimedPath& drive) const {
 
 /// Speeds for a path that the vehicle begins `t` seconds from now; none if none are found.
 std::optional<TimedPath> Ways::timed(const Path& path, const Motion& begin, double t, double margin,
-                                     const Effort& effort, double longest) {
+                                     const WorkLimit& limit, double longest) {
   const double speed = standing_or(speed_of(begin));
   if (speed > 0.0 && !begins_in_gear(path.segments, begin.direction)) return std::nullopt;
   const std::vector<MovingObstacle> moving = later(scene_.moving, t);
@@ -80,7 +80,7 @@ std::optional<TimedPath> Ways::timed(const Path& path, const Motion& begin, doub
                                 .start_curvature = begin.curvature,
                                 .start_speed = speed,
                                 .longest = longest,
-                                .most_states = effort.states};
+                                .most_states = limit.states};
   moving::Yielding yielding = moving::yielding_speeds(path, scene_.planned, traffic);
   work_.states += yielding.states;
   if (!yielding.speeds) return std::nullopt;
@@ -115,15 +115,15 @@ std::optional<std::vector<Segment>> Ways::segments_to_goal(const Pose& pose, dou
   return std::nullopt;
 }
 
-std::optional<Way> Ways::from_standing(const Pose& pose, double curvature, const Effort& effort) {
+std::optional<Way> Ways::from_standing(const Pose& pose, double curvature, const WorkLimit& limit) {
   PlanOptions options = options_;
-  options.budget.seed = effort.seed;
-  if (!options.budget.time_limit) options.budget.max_iterations = effort.iterations;
+  options.budget.seed = limit.seed;
+  if (!options.budget.time_limit) options.budget.max_iterations = limit.iterations;
   auto segments = segments_to_goal(pose, curvature, 0.0, options, true);
   if (!segments) return std::nullopt;
   const Path path{pose, *std::move(segments)};
   const Motion begin{.pose = pose, .curvature = curvature};
-  auto drive = timed(path, begin, 0.0, options_.clearance.margin, effort, endless);
+  auto drive = timed(path, begin, 0.0, options_.clearance.margin, limit, endless);
   if (!drive) return std::nullopt;
   Way way{*std::move(drive), TickOutcome::new_way, true};
   way.cost = cost_of(way.drive);
@@ -131,13 +131,14 @@ std::optional<Way> Ways::from_standing(const Pose& pose, double curvature, const
 }
 
 /// Path that a look finds for a vehicle that begins it `t` seconds from now.
-std::optional<Path> Ways::path_of(Look look, const CutDrive& from, double t, const Effort& effort) {
+std::optional<Path> Ways::path_of(Look look, const CutDrive& from, double t,
+                                  const WorkLimit& limit) {
   const Motion& begin = from.begin;
   if (look == Look::new_times) return from.drive.path;
   PlanOptions options = options_;
   options.budget.time_limit.reset();
-  options.budget.max_iterations = effort.iterations;
-  options.budget.seed = effort.seed;
+  options.budget.max_iterations = limit.iterations;
+  options.budget.seed = limit.seed;
   const double speed = speed_of(begin);
   Path path{begin.pose, {}};
   Pose root = begin.pose;
@@ -157,14 +158,14 @@ std::optional<Path> Ways::path_of(Look look, const CutDrive& from, double t, con
     }
   }
   if (look == Look::around) begins_at = t + 2 * length(path.segments) / std::max(speed, stands);
-  const auto found = segments_to_goal(root, curvature, begins_at, options, effort.whole_drive);
+  const auto found = segments_to_goal(root, curvature, begins_at, options, limit.whole_drive);
   if (!found || found->empty()) return std::nullopt;
   path.segments.insert(path.segments.end(), found->begin(), found->end());
   return path;
 }
 
 std::optional<Way> Ways::to_goal(Look look, const CutDrive& rest, const Wish& wish,
-                                 const Effort& effort) {
+                                 const WorkLimit& limit) {
   if (look == Look::new_times && !wish.rest_reaches_goal) return std::nullopt;
   if (scene_.moving.empty() && (look == Look::new_times || look == Look::around)) {
     return std::nullopt;
@@ -172,7 +173,7 @@ std::optional<Way> Ways::to_goal(Look look, const CutDrive& rest, const Wish& wi
   const double t = std::min(wish.committed, rest.drive.speeds.duration);
   const TimedPath prefix = before(rest.drive, scene_.vehicle, t);
   const CutDrive after = rest_of(rest.drive, scene_.vehicle, t);
-  const std::optional<Path> tail = path_of(look, after, t, effort);
+  const std::optional<Path> tail = path_of(look, after, t, limit);
   if (!tail) return std::nullopt;
   // The fastest speeds give a lower bound of the cost.
   const Motion& begin = after.begin;
@@ -183,7 +184,7 @@ std::optional<Way> Ways::to_goal(Look look, const CutDrive& rest, const Wish& wi
   if (left <= 0.0) return std::nullopt;
   const bool is_time = options_.cost.measure == CostMeasure::time;
   const double longest = fastest->duration + (is_time ? left : left / in_time::time_price);
-  const auto drive = timed(*tail, begin, t, options_.clearance.margin, effort, longest);
+  const auto drive = timed(*tail, begin, t, options_.clearance.margin, limit, longest);
   if (!drive) return std::nullopt;
   const bool is_same = look == Look::new_times;
   Way way{joined(prefix, *drive), is_same ? TickOutcome::new_times : TickOutcome::new_way, true};
@@ -191,7 +192,8 @@ std::optional<Way> Ways::to_goal(Look look, const CutDrive& rest, const Wish& wi
   return way;
 }
 
-std::optional<Way> Ways::to_stop(int i, const CutDrive& rest, double margin, const Effort& effort) {
+std::optional<Way> Ways::to_stop(int i, const CutDrive& rest, double margin,
+                                 const WorkLimit& limit) {
   const std::vector<Segment>& segments = rest.drive.path.segments;
   const double whole = length(segments);
   const double speed = speed_of(rest.begin);
@@ -200,7 +202,7 @@ std::optional<Way> Ways::to_stop(int i, const CutDrive& rest, double margin, con
   const double far = first + (whole - first) * i * i / ((stops - 1) * (stops - 1));
   if (far <= shortest_stop) return Way{standing_at(rest.begin.pose), TickOutcome::stop};
   const Path path{rest.begin.pose, cut(segments, 0.0, far)};
-  auto drive = timed(path, rest.begin, 0.0, margin, effort, endless);
+  auto drive = timed(path, rest.begin, 0.0, margin, limit, endless);
   if (!drive) return std::nullopt;
   return Way{*std::move(drive), TickOutcome::stop};
 }

@@ -28,7 +28,7 @@ struct Scene {
 };
 
 /// Largest work of a look: iterations of planners, and states of searches for speeds.
-struct Effort {
+struct WorkLimit {
   std::int64_t iterations = 0;
   std::int64_t states = 0;
   std::uint64_t seed = 1;
@@ -73,15 +73,15 @@ class Ways {
 
   /// Drive from standstill at a pose to the goal; none if none is found.
   [[nodiscard]] std::optional<Way> from_standing(const Pose& pose, double curvature,
-                                                 const Effort& effort);
+                                                 const WorkLimit& limit);
 
   /// Drive to the goal that equals `rest` for the committed seconds; none if the look finds none.
   [[nodiscard]] std::optional<Way> to_goal(Look look, const CutDrive& rest, const Wish& wish,
-                                           const Effort& effort);
+                                           const WorkLimit& limit);
 
   /// Drive along `rest` to the i-th place of `stops` where it may stop, the nearest first.
   [[nodiscard]] std::optional<Way> to_stop(int i, const CutDrive& rest, double margin,
-                                           const Effort& effort);
+                                           const WorkLimit& limit);
 
   /// Drive that brakes at once, as hard as the vehicle can.
   [[nodiscard]] Way braking(const CutDrive& rest) const;
@@ -95,13 +95,14 @@ class Ways {
 
  private:
   [[nodiscard]] std::optional<TimedPath> timed(const Path& path, const Motion& begin, double t,
-                                               double margin, const Effort& effort, double longest);
+                                               double margin, const WorkLimit& limit,
+                                               double longest);
   [[nodiscard]] std::optional<std::vector<Segment>> segments_to_goal(const Pose& pose,
                                                                      double curvature, double t,
                                                                      const PlanOptions& options,
                                                                      bool whole_drive);
   [[nodiscard]] std::optional<Path> path_of(Look look, const CutDrive& from, double t,
-                                            const Effort& effort);
+                                            const WorkLimit& limit);
   [[nodiscard]] double braking_distance(double v) const;
 
   const Scene& scene_;
