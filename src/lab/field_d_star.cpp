@@ -107,15 +107,15 @@ struct Via {
 };
 
 /// A way from the start to the goal.
-struct Way {
+struct PoseWay {
   std::vector<Via> vias = {};  // poses between start and goal
   double cost = infinity;      // cost of the way [m]; infinite: there is none
 };
 
 // One run of the planner.
-class Run {
+class FieldDStarRun {
  public:
-  Run(const Task& task, const PlanOptions& options)
+  FieldDStarRun(const Task& task, const PlanOptions& options)
       : task_(task),
         options_(options),
         budget_(options.budget),
@@ -154,11 +154,11 @@ class Run {
   std::int64_t expanded_ = 0;  // poses whose edges were tried
   int round_ = 0;
   std::vector<Via> vias_;
-  Way best_;
+  PoseWay best_;
   PlannerAnswer answer_;
 };
 
-bool Run::try_directly() {
+bool FieldDStarRun::try_directly() {
   const auto direct = connector_.connect(task_.start, task_.goal);
   if (!direct) return false;
   answer_.status = PlanStatus::solved;
@@ -171,7 +171,7 @@ bool Run::try_directly() {
   return true;
 }
 
-bool Run::find_route() {
+bool FieldDStarRun::find_route() {
   while (!is_finest_) {
     const Bounds box = sampling_region(task_, Region::scene);
     const double width = box.x_max - box.x_min;
@@ -198,7 +198,7 @@ bool Run::find_route() {
 
 // Draws poses. First round: along the route, looking ahead or back. Later rounds: at random, ever
 // further off the route, and the poses of the best way.
-void Run::draw_vias() {
+void FieldDStarRun::draw_vias() {
   vias_.assign(1, {0.0, task_.start, 0.0, -1});
   const double length = route_->length();
   const double step = round_ == 0 ? spacing_ : spacing_ * uniform(0.4, 1.2, rng_);
@@ -227,7 +227,7 @@ void Run::draw_vias() {
 }
 
 // Finds the cheapest way to each pose, in the order of the poses along the route.
-void Run::connect_vias() {
+void FieldDStarRun::connect_vias() {
   const double reach = windows * spacing_;
   for (std::size_t i = 0; i + 1 < vias_.size(); ++i) {
     if (vias_[i].cost == infinity) continue;
@@ -248,7 +248,7 @@ void Run::connect_vias() {
   }
 }
 
-void Run::keep() {
+void FieldDStarRun::keep() {
   const bool is_better = vias_.back().cost < best_.cost;
   if (options_.planner.flag("keep_tree") && (is_better || best_.cost == infinity)) {
     answer_.tree = tree();
@@ -262,7 +262,7 @@ void Run::keep() {
   answer_.anytime.push_back({budget_.elapsed(), budget_.iterations(), best_.cost});
 }
 
-std::vector<Segment> Run::segments() {
+std::vector<Segment> FieldDStarRun::segments() {
   std::vector<Segment> all;
   LocalPose from = task_.start;
   const auto go_to = [&](const LocalPose& to) {
@@ -276,7 +276,7 @@ std::vector<Segment> Run::segments() {
 }
 
 // Tree of the cheapest ways to the poses of this round.
-TreeSnapshot Run::tree() const {
+TreeSnapshot FieldDStarRun::tree() const {
   TreeSnapshot tree;
   std::vector<std::int32_t> place(vias_.size(), -1);
   for (std::size_t i = 0; i < vias_.size(); ++i) {
@@ -298,7 +298,7 @@ TreeSnapshot Run::tree() const {
 //   [3]   poses := some along the route, looking ahead or back; later ones at random beside it
 //   [4]   join each pose to those that follow within three spacings, the cheapest way to each first
 //   [5]   keep the cheapest way to the goal; its poses are among those of the next round
-PlannerAnswer Run::plan() {
+PlannerAnswer FieldDStarRun::plan() {
   if (!budget_.exhausted() && try_directly()) return std::move(answer_);  // [1]
   while (!budget_.exhausted()) {
     const bool is_due = round_ % rounds_of_a_side == 0 && !is_finest_;
@@ -358,7 +358,7 @@ Planner planner() {
                        .summary = "return the poses of the successful round",
                        .default_value = false}},
           .function = [](const Task& task, const PlanOptions& options) {
-            return Run(task, options).plan();
+            return FieldDStarRun(task, options).plan();
           }};
 }
 

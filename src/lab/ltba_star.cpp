@@ -38,9 +38,9 @@ class Clock {
 };
 
 /// A run: one search, one vehicle that drives meanwhile, and the whole way once it is found.
-class Run {
+class LtbaStarRun {
  public:
-  Run(const Task& task, const PlanOptions& options, const Ground& ground)
+  LtbaStarRun(const Task& task, const PlanOptions& options, const Ground& ground)
       : connector_(task),
         search_(task, ground, connector_,
                 {.weight = options.planner.number("weight"),
@@ -148,7 +148,7 @@ PlannerAnswer plan_ltba_star(const Task& task, const PlanOptions& options) {
     answer.status = budget.exhausted().value_or(PlanStatus::stopped);
     return answer;
   }
-  Run run(task, options, ground);
+  LtbaStarRun run(task, options, ground);
   const auto improved = [&] {
     answer.anytime.push_back({budget.elapsed(), budget.iterations(), run.cost()});
   };

@@ -34,9 +34,9 @@ struct Candidate {
 };
 
 // One run of the planner: the tree, and the steps that grow and improve it.
-class Run {
+class RrtStarRun {
  public:
-  Run(const Task& task, const PlanOptions& options)
+  RrtStarRun(const Task& task, const PlanOptions& options)
       : task_(task),
         factor_(options.planner.number("rewire_factor")),
         informed_(options.planner.flag("informed")),
@@ -204,7 +204,7 @@ PlannerAnswer plan(const Task& task, const PlanOptions& options) {
   Budget budget(options.budget);
   planning::Sampler sampler(task, options);
   const bool try_goal = options.planner.flag("try_goal");
-  Run run(task, options);  // [1]
+  RrtStarRun run(task, options);  // [1]
   double best = infinity;
   answer.status = PlanStatus::node_limit;
   while (!run.is_full()) {

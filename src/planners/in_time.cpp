@@ -47,7 +47,7 @@ constexpr double later_share_of_refuges = 0.125;  // share of later work with a 
 constexpr std::int64_t most_of_detour = 600;      // most iterations of a detour
 
 /// A path with its times, and their costs.
-struct Way {
+struct TimedWay {
   std::vector<Segment> segments;
   SpeedProfile speeds;
   double path_cost = 0.0;  // cost of the path if nothing moves [m or s]
@@ -55,9 +55,9 @@ struct Way {
 };
 
 /// One run: the best way so far, the sources, and the budget.
-class Run {
+class InTimeRun {
  public:
-  Run(const Task& task, const PlanOptions& options, std::span<const NamedSource> sources)
+  InTimeRun(const Task& task, const PlanOptions& options, std::span<const NamedSource> sources)
       : task_(task),
         options_(options),
         paths_(sources),
@@ -278,7 +278,7 @@ class Run {
       cost = with_time(path_cost, yielding.speeds->duration);
       if (!best_ || cost < best_->cost) {
         trace_.push_back({budget_.elapsed(), budget_.iterations(), path_cost});
-        best_ = Way{segments, *std::move(yielding.speeds), path_cost, cost};
+        best_ = TimedWay{segments, *std::move(yielding.speeds), path_cost, cost};
         best_source_ = &source;
       }
     }
@@ -383,7 +383,7 @@ class Run {
   std::optional<Meeting> met_;    // first meeting that is worth a way around
   Source* detour_ = nullptr;      // current detour; null: none
   std::int64_t refuge_work_ = 0;  // work on detours [iterations]
-  std::optional<Way> best_;
+  std::optional<TimedWay> best_;
   const Source* best_source_ = nullptr;
   std::vector<CostSample> trace_;  // cost of the path of each better drive
   std::int64_t states_ = 0;
@@ -395,11 +395,11 @@ PlannerAnswer plan(const Task& task, const PlanOptions& options,
                    std::span<const NamedSource> sources) {
   if (!task.goal_set.empty()) {
     const auto to_one = [sources](const Task& to, const PlanOptions& round) {
-      return Run(to, round, sources).answer();
+      return InTimeRun(to, round, sources).answer();
     };
     return planning::plan_to_set(task, options, time_price, planning::restarted_search(to_one));
   }
-  return Run(task, options, sources).answer();
+  return InTimeRun(task, options, sources).answer();
 }
 
 }  // namespace vandplan::in_time
