@@ -64,9 +64,9 @@ struct Found {
 };
 
 // One search: its nodes, its cells and its open list.
-class Search {
+class HybridAStarSearch {
  public:
-  Search(const Task& task, const PlanOptions& options)
+  HybridAStarSearch(const Task& task, const PlanOptions& options)
       : task_(task),
         connector_(task, cost_rule(options.cost)),
         estimate_(planning::estimate_of(options, task)),
@@ -337,8 +337,8 @@ class Search {
 // Step [8]: shortens the best path. With a Voronoi weight trials are compared by `measure`, and
 // only the final cost is traced.
 template <typename Trace>
-std::vector<Segment> shortened(Search& search, Budget& budget, const PlanOptions& options,
-                               const Trace& trace) {
+std::vector<Segment> shortened(HybridAStarSearch& search, Budget& budget,
+                               const PlanOptions& options, const Trace& trace) {
   const bool shortens = options.planner.flag("shorten") && !search.is_shortest();
   Route route = search.route();
   std::function<double(const Route&)> measure;
@@ -372,7 +372,7 @@ std::vector<Segment> shortened(Search& search, Budget& budget, const PlanOptions
 PlannerAnswer plan(const Task& task, const PlanOptions& options) {
   PlannerAnswer answer;
   Budget budget(options.budget);
-  Search search(task, options);  // [1]
+  HybridAStarSearch search(task, options);  // [1]
   const auto trace = [&](double cost) {
     answer.anytime.push_back({budget.elapsed(), budget.iterations(), cost});
   };

@@ -21,8 +21,8 @@ struct Proof {
   double factor = 0.0;  ///< upper bound of best way / shortest way over the lattice; 0: none
 };
 
-void conclude(const Task& task, const CostRule& rule, const Search& search, const Proof& proof,
-              PlannerAnswer& answer) {
+void conclude(const Task& task, const CostRule& rule, const LatticeSearch& search,
+              const Proof& proof, PlannerAnswer& answer) {
   search.report(answer);
   if (!std::isfinite(search.best())) return;
   answer.status = PlanStatus::solved;
@@ -56,11 +56,11 @@ PlannerAnswer plan(const Task& task, const PlanOptions& options, const Weights& 
     return answer;
   }
   Connector connector(task, length_rule(cost_rule(options.cost)));
-  Search search(task, ground, connector,
-                {.weight = weights.first,
-                 .shots = options.planner.flag("shots"),
-                 .max_nodes = static_cast<std::size_t>(options.planner.integer("max_nodes")),
-                 .keep_tree = options.planner.flag("keep_tree")});
+  LatticeSearch search(task, ground, connector,
+                       {.weight = weights.first,
+                        .shots = options.planner.flag("shots"),
+                        .max_nodes = static_cast<std::size_t>(options.planner.integer("max_nodes")),
+                        .keep_tree = options.planner.flag("keep_tree")});
   const auto improved = [&] {
     answer.anytime.push_back({budget.elapsed(), budget.iterations(), search.best()});
   };

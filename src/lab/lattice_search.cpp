@@ -33,8 +33,8 @@ double length_on_open_ground(const Task& task) {
   return (1 - slack) * reeds_shepp_length(task.start, task.goal, task.vehicle.min_turning_radius);
 }
 
-Search::Search(const Task& task, const Ground& ground, Connector& connector,
-               const Settings& settings)
+LatticeSearch::LatticeSearch(const Task& task, const Ground& ground, Connector& connector,
+                             const Settings& settings)
     : task_(task),
       graph_(*ground.graph),
       guide_(ground.guide),
@@ -53,7 +53,7 @@ Search::Search(const Task& task, const Ground& ground, Connector& connector,
   }
 }
 
-void Search::grow_slots() {
+void LatticeSearch::grow_slots() {
   slots_.assign(4 * slots_.size(), -1);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     std::size_t slot = hash_of(nodes_[i].vertex) & (slots_.size() - 1);
@@ -62,7 +62,7 @@ void Search::grow_slots() {
   }
 }
 
-Search::Id Search::node_at(const Vertex& vertex) {
+LatticeSearch::Id LatticeSearch::node_at(const Vertex& vertex) {
   if (2 * nodes_.size() >= slots_.size()) grow_slots();
   std::size_t slot = hash_of(vertex) & (slots_.size() - 1);
   while (slots_[slot] >= 0) {
@@ -74,12 +74,12 @@ Search::Id Search::node_at(const Vertex& vertex) {
   return slots_[slot];
 }
 
-void Search::push(Id id) {
+void LatticeSearch::push(Id id) {
   const double cost = edge(node(id).waiting).cost;
   open_.push({cost + settings_.weight * node(id).to_go, cost, id});
 }
 
-void Search::open(const Vertex& vertex, double cost, Id parent, std::int32_t via) {
+void LatticeSearch::open(const Vertex& vertex, double cost, Id parent, std::int32_t via) {
   if (std::max(std::abs(vertex.x), std::abs(vertex.y)) >= border) return;
   const Id id = node_at(vertex);
   Node& end = node(id);
@@ -96,7 +96,7 @@ void Search::open(const Vertex& vertex, double cost, Id parent, std::int32_t via
 }
 
 // Drops the cheapest edge to a vertex. The next cheapest one becomes the first of the list.
-void Search::drop_cheapest(Id id) {
+void LatticeSearch::drop_cheapest(Id id) {
   Node& end = node(id);
   end.waiting = edge(end.waiting).next;
   if (end.waiting < 0) return;
@@ -111,13 +111,13 @@ void Search::drop_cheapest(Id id) {
   std::swap(first.via, cheapest.via);
 }
 
-bool Search::may_improve(const Node& end) const {
+bool LatticeSearch::may_improve(const Node& end) const {
   if (end.waiting < 0) return false;
   const double cost = edge(end.waiting).cost;
   return cost < end.cost && cost + end.to_go < best_;
 }
 
-bool Search::has_next() {
+bool LatticeSearch::has_next() {
   while (!open_.empty()) {
     const Entry& entry = open_.top();
     if (entry.rank >= best_) return false;
@@ -129,7 +129,7 @@ bool Search::has_next() {
   return false;
 }
 
-bool Search::is_free(Node& end, const Edge& edge) {
+bool LatticeSearch::is_free(Node& end, const Edge& edge) {
   const LocalPose pose = graph_.pose_of(end.vertex);
   if (!end.is_free) {
     end.is_free = connector_.is_free(pose);
@@ -140,7 +140,7 @@ bool Search::is_free(Node& end, const Edge& edge) {
   return connector_.is_free(from, piece_of(edge.parent, edge.via));
 }
 
-bool Search::step() {
+bool LatticeSearch::step() {
   for (int looks = 0; looks < most_looks && has_next(); ++looks) {
     const double before = best_;
     if (look()) return best_ < before;
@@ -149,7 +149,7 @@ bool Search::step() {
 }
 
 // Checks the next edge. True if it is free: then its end is closed and expanded.
-bool Search::look() {
+bool LatticeSearch::look() {
   const Id id = open_.top().node;
   open_.pop();
   Node& end = node(id);
@@ -174,11 +174,11 @@ bool Search::look() {
   return true;
 }
 
-const Piece& Search::piece_of(Id parent, std::int32_t via) const {
+const Piece& LatticeSearch::piece_of(Id parent, std::int32_t via) const {
   return parent < 0 ? joints_[static_cast<std::size_t>(via)].piece : graph_.piece(via);
 }
 
-void Search::expand(Id id) {
+void LatticeSearch::expand(Id id) {
   ++expansions_;
   const Node begin = node(id);
   std::int32_t via = graph_.first_move(begin.vertex.heading);
@@ -189,7 +189,7 @@ void Search::expand(Id id) {
 }
 
 // Tries the exact piece from a vertex to the goal, the more often the nearer the goal is.
-void Search::shoot(Id id) {
+void LatticeSearch::shoot(Id id) {
   if (expansions_ < next_shot_) return;
   const Node& begin = node(id);
   const double wait = begin.to_go / (shot_spacing * connector_.radius());
@@ -203,14 +203,14 @@ void Search::shoot(Id id) {
   take(std::move(way));
 }
 
-void Search::take(std::vector<Leg> way) {
+void LatticeSearch::take(std::vector<Leg> way) {
   const double length = length_of(way);  // sum, as parents may have become cheaper
   if (length >= best_) return;
   best_ = length;
   best_way_ = std::move(way);
 }
 
-void Search::begin_round(double weight) {
+void LatticeSearch::begin_round(double weight) {
   settings_.weight = weight;
   ++round_;
   open_ = {};
@@ -219,7 +219,7 @@ void Search::begin_round(double weight) {
   }
 }
 
-double Search::lattice_bound() const {
+double LatticeSearch::lattice_bound() const {
   double least = best_;
   for (const Node& end : nodes_) {
     if (may_improve(end)) least = std::min(least, edge(end.waiting).cost + end.to_go);
@@ -227,13 +227,13 @@ double Search::lattice_bound() const {
   return least;
 }
 
-std::optional<Search::Id> Search::front() const {
+std::optional<LatticeSearch::Id> LatticeSearch::front() const {
   if (open_.empty()) return std::nullopt;
   const Id parent = edge(node(open_.top().node).waiting).parent;
   return parent < 0 ? std::nullopt : std::optional<Id>(parent);
 }
 
-std::vector<Leg> Search::way_to(Id id) const {
+std::vector<Leg> LatticeSearch::way_to(Id id) const {
   std::vector<Leg> way;
   while (id >= 0) {
     const Node& end = node(id);
@@ -244,14 +244,14 @@ std::vector<Leg> Search::way_to(Id id) const {
   return way;
 }
 
-void Search::show(Id id) {
+void LatticeSearch::show(Id id) {
   Node& end = node(id);
   end.shown = static_cast<std::int32_t>(tree_.poses.size());
   tree_.poses.push_back(graph_.pose_of(end.vertex));
   tree_.parents.push_back(end.parent < 0 ? 0 : node(end.parent).shown);
 }
 
-void Search::report(PlannerAnswer& answer) const {
+void LatticeSearch::report(PlannerAnswer& answer) const {
   answer.counters = {{"nodes", static_cast<std::int64_t>(nodes_.size())},
                      {"expansions", expansions_},
                      {"exact_solves", connector_.solves()},

@@ -52,7 +52,7 @@ struct Leg {
 };
 
 /// A search from the start of a task to its goal.
-class Search {
+class LatticeSearch {
  public:
   struct Settings {
     double weight = 1.0;  ///< weight of the estimate; >= 1
@@ -64,7 +64,8 @@ class Search {
   using Id = std::int32_t;
 
   /// The task and the parts outlive the search.
-  Search(const Task& task, const Ground& ground, Connector& connector, const Settings& settings);
+  LatticeSearch(const Task& task, const Ground& ground, Connector& connector,
+                const Settings& settings);
 
   /// Whether an edge is left that may improve the best way in this round. False ends the round.
   [[nodiscard]] bool has_next();

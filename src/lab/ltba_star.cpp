@@ -61,7 +61,8 @@ class LtbaStarRun {
     while (clock_.is_over(budget)) {
       clock_.begin_next();
       if (whole_.empty()) {
-        const std::optional<Search::Id> front = search_.has_next() ? search_.front() : std::nullopt;
+        const std::optional<LatticeSearch::Id> front =
+            search_.has_next() ? search_.front() : std::nullopt;
         std::vector<Leg> way = front ? search_.way_to(*front) : std::vector<Leg>();
         if (!way.empty() && drive_.agrees(way)) drive_.follow(std::move(way));
       }
@@ -99,7 +100,7 @@ class LtbaStarRun {
   }
 
   Connector connector_;
-  Search search_;
+  LatticeSearch search_;
   CommittedDrive drive_;
   Clock clock_;
   std::vector<Leg> whole_;         // way from start to goal; empty until it is found

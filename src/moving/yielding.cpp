@@ -132,10 +132,10 @@ bool is_interrupted(const Traffic& traffic) {
   return traffic.is_interrupted && traffic.is_interrupted();
 }
 
-class Search {
+class YieldingSearch {
  public:
-  Search(const Encounters& encounters, const SpeedProfile& fastest, const DrivingLimits& limits,
-         const Traffic& traffic)
+  YieldingSearch(const Encounters& encounters, const SpeedProfile& fastest,
+                 const DrivingLimits& limits, const Traffic& traffic)
       : stations_(stations_of(fastest)),
         occupied_(encounters, places_of(stations_),
                   times_of(stations_, fastest.duration, traffic.longest),
@@ -376,7 +376,7 @@ Yielding yielding_speeds(const Path& path, const Vehicle& vehicle, const Traffic
     return yielding;
   }
   const Encounters encounters(course, traffic.moving, traffic.margin);
-  Search search(encounters, fastest, vehicle.limits, traffic);
+  YieldingSearch search(encounters, fastest, vehicle.limits, traffic);
   const std::optional<std::int32_t> last = search.run(traffic);
   yielding.states = search.looked();
   yielding.is_cut_off = !last && search.is_cut_off(traffic);

@@ -190,9 +190,9 @@ class Several {
 //
 // For k nodes the limit is the k-th least of the upper bounds, and [5] keeps the k least lengths.
 template <typename Kept>
-class Search {
+class NearestSearch {
  public:
-  Search(const Nodes& nodes, const Pose& sample, Kept& kept)
+  NearestSearch(const Nodes& nodes, const Pose& sample, Kept& kept)
       : all_(nodes),
         kept_(kept),
         sample_(sample),
@@ -317,7 +317,7 @@ std::optional<NearestNode> NearestNodes::nearest(const Pose& sample) const {
   expect_finite("sample", sample);
   if (grid_->count == 0) return std::nullopt;
   One kept(*grid_, sample);
-  Search(*grid_, sample, kept).run();
+  NearestSearch(*grid_, sample, kept).run();
   return kept.result();  // [5]
 }
 
@@ -325,7 +325,7 @@ std::vector<NearNode> NearestNodes::nearest(const Pose& sample, const NearWanted
   expect_finite("sample", sample);
   if (grid_->count == 0 || wanted.count == 0) return {};
   Several kept(*grid_, sample, wanted);
-  Search(*grid_, sample, kept).run();
+  NearestSearch(*grid_, sample, kept).run();
   return kept.in_order();
 }
 
@@ -334,7 +334,7 @@ std::vector<std::int32_t> NearestNodes::nearest_in_any_order(const Pose& sample,
   expect_finite("sample", sample);
   if (grid_->count == 0 || wanted.count == 0) return {};
   Several kept(*grid_, sample, wanted);
-  Search(*grid_, sample, kept).run();
+  NearestSearch(*grid_, sample, kept).run();
   return kept.in_any_order();
 }
 
