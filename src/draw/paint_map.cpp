@@ -13,11 +13,11 @@ namespace vandplan::drawing {
 namespace {
 
 /// Visible cells of a grid: columns and rows from `begin` to `end` - 1.
-struct Part {
+struct MapPart {
   std::int32_t x_begin, x_end, y_begin, y_end;
 };
 
-Part seen_of(const OccupancyGrid& grid, const Bounds& visible) {
+MapPart seen_of(const OccupancyGrid& grid, const Bounds& visible) {
   Point corners[] = {{visible.x_min, visible.y_min},
                      {visible.x_max, visible.y_min},
                      {visible.x_max, visible.y_max},
@@ -40,7 +40,8 @@ std::uint32_t pixel_of(const Colour& colour) {
 }
 
 /// Fills the pixels of an image. Each pixel shows the worst of block * block cells.
-void fill(cairo_surface_t* image, const OccupancyGrid& grid, const Part& part, std::int32_t block) {
+void fill(cairo_surface_t* image, const OccupancyGrid& grid, const MapPart& part,
+          std::int32_t block) {
   const std::uint32_t occupied = pixel_of(colour::obstacle);
   const std::uint32_t unknown = pixel_of(colour::unknown);
   cairo_surface_flush(image);
@@ -64,7 +65,7 @@ void fill(cairo_surface_t* image, const OccupancyGrid& grid, const Part& part, s
 using SurfacePtr = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
 
 /// Image of a part of a grid; in an error state if there is no memory.
-SurfacePtr image_of(const OccupancyGrid& grid, const Part& part, std::int32_t block) {
+SurfacePtr image_of(const OccupancyGrid& grid, const MapPart& part, std::int32_t block) {
   const auto pixels = [&](std::int32_t begin, std::int32_t end) {
     return (end - begin + block - 1) / block;
   };
@@ -79,7 +80,7 @@ SurfacePtr image_of(const OccupancyGrid& grid, const Part& part, std::int32_t bl
 }  // namespace
 
 void paint_map(cairo_t* cairo, const OccupancyGrid& grid, const View& view) {
-  const Part part = seen_of(grid, view.visible);
+  const MapPart part = seen_of(grid, view.visible);
   if (part.x_begin >= part.x_end || part.y_begin >= part.y_end) return;
   constexpr double finest = 0.3;  // Least side of a pixel [page units].
   const double cell = grid.resolution * view.scale;

@@ -70,7 +70,7 @@ double lqr(const Sight& sight) noexcept {
 /// place ahead on the path.
 double pure_pursuit(const Sight& sight) noexcept {
   const double ahead = sight.vehicle.wheelbase / 2 + 0.5 * sight.state.v;
-  const Place target = sight.stroke.at(sight.offset.place.s + ahead);
+  const StrokePlace target = sight.stroke.at(sight.offset.place.s + ahead);
   const Pose seen = relative(sight.state.pose, target.pose);
   const double square = seen.x * seen.x + seen.y * seen.y;
   return steering_angle(sight.vehicle, square > 0.0 ? 2 * seen.y / square : 0.0);
@@ -81,7 +81,7 @@ double stanley(const Sight& sight) noexcept {
   constexpr double gain = 1.0;     // gain from the lateral error to the speed across the path [1/s]
   constexpr double slowest = 0.5;  // keeps the gain finite at low speeds [m/s]
   const double wheelbase = sight.vehicle.wheelbase;
-  const Place& rear = sight.offset.place;
+  const StrokePlace& rear = sight.offset.place;
   const double planned = steering_angle(sight.vehicle, rear.curvature);
   const auto front_of = [&](const Pose& pose) {
     const auto [sin, cos] = base::sin_cos(pose.heading);

@@ -57,7 +57,7 @@ double Stroke::curvature_at(double s) const noexcept {
   return sample.curvature + sample.rate * std::max(s - sample.s, 0.0);
 }
 
-Place Stroke::at(double s) const noexcept {
+StrokePlace Stroke::at(double s) const noexcept {
   const Sample& sample = before(s);
   const double driven = s - sample.s;
   const double rate = driven > 0.0 ? sample.rate : 0.0;

@@ -11,7 +11,7 @@
 namespace vandplan::driving {
 
 /// Place of a stroke.
-struct Place {
+struct StrokePlace {
   double s = 0.0;  ///< distance from the begin of the stroke [m]
   Pose pose = {};
   double curvature = 0.0;  ///< curvature of the path at the place [1/m]
@@ -19,7 +19,7 @@ struct Place {
 
 /// Offset of a pose from a stroke.
 struct Offset {
-  Place place;           ///< place of the stroke beside the pose
+  StrokePlace place;     ///< place of the stroke beside the pose
   double lateral = 0.0;  ///< distance of the pose to the left of the place, seen forward [m]
   double heading = 0.0;  ///< heading of the pose less that of the place, in [-pi, pi) [rad]
 };
@@ -44,7 +44,7 @@ class Stroke {
 
   /// Place after `s` metres, with an error of at most 0.01 mm. Beyond its ends the stroke goes on
   /// with the curvature of the end.
-  [[nodiscard]] Place at(double s) const noexcept;
+  [[nodiscard]] StrokePlace at(double s) const noexcept;
   [[nodiscard]] double curvature_at(double s) const noexcept;
 
   /// Offset of a pose from the stroke. The search for the nearest place begins at `guess` [m].

@@ -21,7 +21,7 @@ bool is_before(const Place& a, const Place& b) {
 }
 
 /// Part of a stretch.
-struct Part {
+struct StretchPart {
   double bound = 0.0;  ///< lower bound of the clearance on the part [m]
   std::size_t stretch = 0;
   Real begin = 0;
@@ -31,7 +31,7 @@ struct Part {
 };
 
 struct MayComeNearer {
-  bool operator()(const Part& a, const Part& b) const { return a.bound > b.bound; }
+  bool operator()(const StretchPart& a, const StretchPart& b) const { return a.bound > b.bound; }
 };
 
 class ClearanceSearch {
@@ -52,7 +52,7 @@ class ClearanceSearch {
   [[nodiscard]] const Effort& effort() const { return effort_; }
 
  private:
-  [[nodiscard]] Part whole(std::size_t stretch) const {
+  [[nodiscard]] StretchPart whole(std::size_t stretch) const {
     return {0, stretch, 0, length_to_look_at(body_, track_.stretches[stretch])};
   }
   [[nodiscard]] double kept_within(const Place& place, double half) const {
@@ -65,7 +65,7 @@ class ClearanceSearch {
   [[nodiscard]] double clearance(const Place& place, double most) {
     return clearance(onlooker_at(body_, place), place, 0, most);
   }
-  [[nodiscard]] double bound_of(const Part& part, const Onlooker& in_middle, double most) {
+  [[nodiscard]] double bound_of(const StretchPart& part, const Onlooker& in_middle, double most) {
     const auto half = static_cast<double>((part.end - part.begin) / 2);
     return clearance(in_middle, part.middle(), half, most);
   }
@@ -73,11 +73,11 @@ class ClearanceSearch {
     return bound > 0 && bound >= least_ - clearance_error;
   }
   /// Whether no point of the body moves more than `look_distance` on the part.
-  [[nodiscard]] bool is_short(const Part& part) const {
+  [[nodiscard]] bool is_short(const StretchPart& part) const {
     return static_cast<double>(part.end - part.begin) * speed_on(part) <= look_distance;
   }
   /// Upper bound of the motion of any point of the body on the part, per metre driven.
-  [[nodiscard]] double speed_on(const Part& part) const {
+  [[nodiscard]] double speed_on(const StretchPart& part) const {
     return speed_of(body_, track_.stretches[part.stretch]);
   }
   [[nodiscard]] bool touches(const Place& place) { return clearance(place, look_distance) == 0; }
@@ -86,9 +86,9 @@ class ClearanceSearch {
     if (least_ == 0) touch_ = place;
   }
   void look(const Place& place) { look(onlooker_at(body_, place), place); }
-  [[nodiscard]] std::optional<Place> first_touch_on(const Part& part, const Place& known);
+  [[nodiscard]] std::optional<Place> first_touch_on(const StretchPart& part, const Place& known);
   /// First touch on a short part; the body touches at place `last`.
-  [[nodiscard]] Place contact(const Part& part, const Place& last);
+  [[nodiscard]] Place contact(const StretchPart& part, const Place& last);
 
   const Body& body_;
   const Track& track_;
@@ -111,11 +111,11 @@ void ClearanceSearch::look_at_ends() {
 }
 
 void ClearanceSearch::look_between() {
-  std::priority_queue<Part, std::vector<Part>, MayComeNearer> parts;
+  std::priority_queue<StretchPart, std::vector<StretchPart>, MayComeNearer> parts;
   for (std::size_t i = 0; i < track_.stretches.size(); ++i) parts.push(whole(i));
   while (!parts.empty() && least_ > 0) {
     effort_.parts = std::max(effort_.parts, parts.size());
-    const Part part = parts.top();
+    const StretchPart part = parts.top();
     if (does_not_matter(part.bound)) return;
     parts.pop();
     const Place middle = part.middle();
@@ -138,7 +138,7 @@ Place ClearanceSearch::first_touch(const Place& known) {
   return known;
 }
 
-std::optional<Place> ClearanceSearch::first_touch_on(const Part& part, const Place& known) {
+std::optional<Place> ClearanceSearch::first_touch_on(const StretchPart& part, const Place& known) {
   const Place middle = part.middle();
   if (!is_before({part.stretch, part.begin}, known)) return std::nullopt;
   if (bound_of(part, onlooker_at(body_, middle), look_distance) > 0) return std::nullopt;
@@ -149,14 +149,14 @@ std::optional<Place> ClearanceSearch::first_touch_on(const Part& part, const Pla
     }
     return std::nullopt;
   }
-  const Part first{0, part.stretch, part.begin, middle.t};
+  const StretchPart first{0, part.stretch, part.begin, middle.t};
   if (const auto touch = first_touch_on(first, known)) return touch;
   return first_touch_on({0, part.stretch, middle.t, part.end}, known);
 }
 
 /// Steps as long as the clearance cannot pass the first touch. If there are too many steps, the
 /// result is late by at most half of `look_distance`.
-Place ClearanceSearch::contact(const Part& part, const Place& last) {
+Place ClearanceSearch::contact(const StretchPart& part, const Place& last) {
   constexpr int most_steps = 100;
   constexpr double least_step = 1e-12;  // least motion of any point of the body in a step [m]
   Place place{part.stretch, part.begin};

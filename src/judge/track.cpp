@@ -25,7 +25,7 @@ Quarters quarters_in(Real angle) {
   return {count, angle - count * first - count * second};
 }
 
-struct Way {
+struct HeadingIntegral {
   Real x = 0;
   Real y = 0;
 };
@@ -49,17 +49,17 @@ Placement after_arc(const Stretch& stretch, Real t) {
 /// Displacement of a vehicle after `t` metres, in the frame of its start. It turns by `turn` v +
 /// `growth` v^2 / 2 within v metres. The power series of exp(i (turn v + growth v^2 / 2)) is
 /// integrated term by term.
-Way series(Real turn, Real growth, Real t) {
+HeadingIntegral series(Real turn, Real growth, Real t) {
   constexpr int terms = 40;
   const Real first = turn * t;
   const Real second = growth * t * t;
   // Term n of the integrand is c_n (v / t)^n, and (n + 1) c_(n+1) = i (first c_n + second c_(n-1)).
-  Way last;
-  Way term{1, 0};
-  Way sum = term;
+  HeadingIntegral last;
+  HeadingIntegral term{1, 0};
+  HeadingIntegral sum = term;
   for (int n = 0; n < terms; ++n) {
-    const Way next{-(first * term.y + second * last.y) / (n + 1),
-                   (first * term.x + second * last.x) / (n + 1)};
+    const HeadingIntegral next{-(first * term.y + second * last.y) / (n + 1),
+                               (first * term.x + second * last.x) / (n + 1)};
     sum = {sum.x + next.x / (n + 2), sum.y + next.y / (n + 2)};
     last = term;
     term = next;
@@ -70,7 +70,7 @@ Way series(Real turn, Real growth, Real t) {
 Placement after_clothoid(const Stretch& stretch, Real t) {
   const auto& [x, y, heading] = stretch.start;
   const Real d = stretch.direction;
-  const Way way = series(d * stretch.curvature, d * stretch.rate, t);
+  const HeadingIntegral way = series(d * stretch.curvature, d * stretch.rate, t);
   const auto& [cos, sin] = stretch.ahead;
   const Real turn = d * t * (stretch.curvature + stretch.rate * t / 2);
   return {

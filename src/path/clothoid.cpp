@@ -15,11 +15,11 @@ namespace vandplan::path {
 namespace {
 
 /// Integral of the unit vector along the heading.
-struct Way {
+struct HeadingIntegral {
   double x = 0.0;
   double y = 0.0;
 
-  Way& operator+=(const Way& other) {
+  HeadingIntegral& operator+=(const HeadingIntegral& other) {
     x += other.x;
     y += other.y;
     return *this;
@@ -69,7 +69,7 @@ class Panels {
     if (++count_ == most_at_once) flush();
   }
 
-  [[nodiscard]] Way sum() {
+  [[nodiscard]] HeadingIntegral sum() {
     flush();
     return sum_;
   }
@@ -97,7 +97,7 @@ class Panels {
       }
     }
     for (std::size_t panel = 0; panel < count_; ++panel) {
-      Way way;
+      HeadingIntegral way;
       for (std::size_t i = 0; i < weights.size(); ++i) {
         const std::size_t at = panel * simd::turns_of_batch + 2 * i;
         way.x += weights[i] * (cosines[at] + cosines[at + 1]);
@@ -112,10 +112,10 @@ class Panels {
   std::size_t count_ = 0;  // panels that wait for `flush`
   std::array<double, most_at_once> halves_;
   Numbers turns_;
-  Way sum_;
+  HeadingIntegral sum_;
 };
 
-Way over_panels(const Clothoid& clothoid, double begin, double end) {
+HeadingIntegral over_panels(const Clothoid& clothoid, double begin, double end) {
   const double wanted = panels_of(clothoid, begin, end);
   const double count = wanted < most_panels ? wanted : most_panels;
   const double length = (end - begin) / count;
@@ -127,7 +127,7 @@ Way over_panels(const Clothoid& clothoid, double begin, double end) {
 }
 
 /// Antiderivative by repeated integration by parts, where curvature^2 is large beside the rate.
-Way antiderivative(const Clothoid& clothoid, double t) {
+HeadingIntegral antiderivative(const Clothoid& clothoid, double t) {
   const double curvature = clothoid.curvature_at(t);
   const double y = clothoid.rate / curvature / curvature;
   // The sum of (2n - 1)!! (-i y)^n.
@@ -144,14 +144,14 @@ Way antiderivative(const Clothoid& clothoid, double t) {
   return {(cos * sum_im + sin * sum_re) / curvature, (sin * sum_im - cos * sum_re) / curvature};
 }
 
-Way by_series(const Clothoid& clothoid, double begin, double end) {
+HeadingIntegral by_series(const Clothoid& clothoid, double begin, double end) {
   if (!(begin < end)) return {};
-  const Way first = antiderivative(clothoid, begin);
-  const Way last = antiderivative(clothoid, end);
+  const HeadingIntegral first = antiderivative(clothoid, begin);
+  const HeadingIntegral last = antiderivative(clothoid, end);
   return {last.x - first.x, last.y - first.y};
 }
 
-Way along(const Clothoid& clothoid, double length) {
+HeadingIntegral along(const Clothoid& clothoid, double length) {
   if (panels_of(clothoid, 0, length) <= enough_panels) return over_panels(clothoid, 0, length);
   // Around the place of curvature 0 the vehicle turns little; elsewhere the series is good.
   const double rate = std::abs(clothoid.rate);
@@ -159,7 +159,7 @@ Way along(const Clothoid& clothoid, double length) {
   const double reach = std::sqrt(steepness * rate) / rate;
   const double begin = std::clamp(inflection - reach, 0.0, length);
   const double end = std::clamp(inflection + reach, 0.0, length);
-  Way sum = by_series(clothoid, 0, begin);
+  HeadingIntegral sum = by_series(clothoid, 0, begin);
   if (begin < end) sum += over_panels(clothoid, begin, end);
   return sum += by_series(clothoid, end, length);
 }
@@ -170,7 +170,7 @@ Displacement along_clothoid(const Segment& segment) noexcept {
   const double gear = segment.length < 0.0 ? -1.0 : 1.0;
   const double length = std::abs(segment.length);
   const Clothoid clothoid{gear * segment.curvature, gear * segment.curvature_rate};
-  const Way way = along(clothoid, length);
+  const HeadingIntegral way = along(clothoid, length);
   return {gear * way.x, gear * way.y, clothoid.turn(length)};
 }
 

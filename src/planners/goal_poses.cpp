@@ -136,11 +136,11 @@ std::vector<GoalPoint> beside(const Task& task, const GoalPoint& point, double s
 namespace {
 
 /// Part of a region: all goals within `half` of its middle.
-struct Part {
+struct RegionPart {
   GoalPoint middle;
   std::array<double, 4> half;  // half of the part's widths, as shares of the region's
   double least;                // lower bound of the length of paths to the part [m]
-  bool operator<(const Part& other) const { return least > other.least; }
+  bool operator<(const RegionPart& other) const { return least > other.least; }
 };
 
 /// Largest distance of the tractor from its pose in the middle of a part [m], and largest turn
@@ -149,7 +149,7 @@ struct Spread {
   double place, turn;
 };
 
-Spread spread_of(const Task& task, const Part& part) {
+Spread spread_of(const Task& task, const RegionPart& part) {
   const GoalRegion& region = task.goal_set[part.middle.region];
   const std::array<double, 4> widths = widths_of(region);
   const auto half = [&](Axis axis) { return part.half[axis] * widths[axis]; };
@@ -165,7 +165,7 @@ Spread spread_of(const Task& task, const Part& part) {
 
 /// Lower bound of the length of paths to a part. The Reeds-Shepp length is a distance. So it
 /// changes by at most the length of the move, which is made ahead, sideways and on the spot.
-double least_length(const Task& task, const Part& part) {
+double least_length(const Task& task, const RegionPart& part) {
   const double radius = task.vehicle.min_turning_radius;
   const Spread spread = spread_of(task, part);
   GoalPoint middle = part.middle;
@@ -184,7 +184,7 @@ double least_length(const Task& task, const Part& part) {
 }
 
 /// Both halves of a part, cut along the interval with the longest way from end to end.
-std::array<Part, 2> halves(const Task& task, const Part& part) {
+std::array<RegionPart, 2> halves(const Task& task, const RegionPart& part) {
   const GoalRegion& region = task.goal_set[part.middle.region];
   const std::array<double, 4> widths = widths_of(region);
   const double radius = task.vehicle.min_turning_radius;
@@ -197,9 +197,9 @@ std::array<Part, 2> halves(const Task& task, const Part& part) {
     most = way;
     axis = i;
   }
-  std::array<Part, 2> parts = {part, part};
+  std::array<RegionPart, 2> parts = {part, part};
   for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
-    Part& half = parts[side];
+    RegionPart& half = parts[side];
     half.half[axis] /= 2;
     half.middle.at[axis] += (side == 0 ? -1 : 1) * half.half[axis];
     half.least = std::max(part.least, least_length(task, half));
@@ -213,19 +213,19 @@ std::array<Part, 2> halves(const Task& task, const Part& part) {
 double least_length_to(const Task& task, std::size_t region, std::size_t halvings) {
   constexpr std::size_t most_halvings = 2000;
   constexpr double fine = 1e-4;  // finest size of a part, relative to the bound
-  std::priority_queue<Part> parts;
+  std::priority_queue<RegionPart> parts;
   const bool either_way = task.goal_set[region].either_way;
   for (const bool is_turned : either_way ? std::vector{false, true} : std::vector{false}) {
-    Part all{{region, {0.5, 0.5, 0.5, 0.5}, is_turned}, {0.5, 0.5, 0.5, 0.5}, 0.0};
+    RegionPart all{{region, {0.5, 0.5, 0.5, 0.5}, is_turned}, {0.5, 0.5, 0.5, 0.5}, 0.0};
     all.least = least_length(task, all);
     parts.push(all);
   }
   for (std::size_t i = 0; i < std::min(halvings, most_halvings); ++i) {
-    const Part part = parts.top();
+    const RegionPart part = parts.top();
     const Spread spread = spread_of(task, part);
     if (spread.place + spread.turn <= fine * part.least) break;
     parts.pop();
-    for (const Part& half : halves(task, part)) parts.push(half);
+    for (const RegionPart& half : halves(task, part)) parts.push(half);
   }
   return parts.top().least;
 }

@@ -209,7 +209,7 @@ class Replanner::Impl {
         check_drive(problem, rest.drive, {margin, rest.drive.speeds.knots.front().v}));
   }
 
-  [[nodiscard]] Verdict judged(const Way& way, const Motion& now, double margin) const {
+  [[nodiscard]] Verdict judged(const NewDrive& way, const Motion& now, double margin) const {
     return judged({way.drive, now}, way.reaches_goal, margin);
   }
 
@@ -239,7 +239,7 @@ class Replanner::Impl {
     out_ = in_frame(answer_, ground_.origin());
   }
 
-  void take(double t, Way way, const Motion& now) {
+  void take(double t, NewDrive way, const Motion& now) {
     judged_ = {true, true, true};
     set({.outcome = way.outcome,
          .begin = t,
@@ -290,7 +290,7 @@ class Replanner::Impl {
                      .curvature = state.curvature,
                      .direction = state.v < 0.0 ? -1 : 1,
                      .v = state.v};
-    Way way = Ways(scene_, options_.plan).braking({standing_at(pose), now});
+    NewDrive way = Ways(scene_, options_.plan).braking({standing_at(pose), now});
     set({.outcome = TickOutcome::none,
          .begin = t,
          .drive = std::make_shared<const TimedPath>(std::move(way.drive)),
@@ -325,7 +325,7 @@ class Replanner::Impl {
     const std::size_t rounds = verdict.is_good() || committed == 0.0 ? 1 : 2;
     WorkLimit each = limit(options_.tick_iterations * urgent_share / 2);
     bool has_gone_around = false;
-    std::vector<Way> found;  // the cheapest last
+    std::vector<NewDrive> found;  // the cheapest last
     for (std::size_t i = 0; i < rounds * looks.size(); ++i) {
       const std::size_t k = next_look_ % (rounds * looks.size());
       if (k % looks.size() == 0 && take_cheapest(t, found, rest.begin)) return true;
@@ -349,7 +349,7 @@ class Replanner::Impl {
   }
 
   /// Takes the last candidate that the judge accepts, and removes the later ones.
-  bool take_cheapest(double t, std::vector<Way>& found, const Motion& now) {
+  bool take_cheapest(double t, std::vector<NewDrive>& found, const Motion& now) {
     for (; !found.empty(); found.pop_back()) {
       if (!judged(found.back(), now, margin()).is_good()) continue;
       take(t, std::move(found.back()), now);
@@ -372,7 +372,7 @@ class Replanner::Impl {
     WorkLimit calm = limit(static_cast<std::int64_t>(
         std::ceil(calm_share * static_cast<double>(options_.tick_iterations))));
     calm.whole_drive = true;
-    std::vector<Way> found;  // the cheapest last
+    std::vector<NewDrive> found;  // the cheapest last
     for (const Look look : looks) {
       if (look == Look::new_times && !has_news_) continue;
       if (look == Look::around || look == not_now) continue;
@@ -407,7 +407,7 @@ class Replanner::Impl {
     }
     // Driving on is better if it meets an obstacle later than braking: predictions may change until
     // then.
-    Way braking = ways.braking(rest);
+    NewDrive braking = ways.braking(rest);
     if (met_at(rest, answer_.reaches_goal) > met_at({braking.drive, rest.begin}, false)) {
       answer_.outcome = out_.outcome = TickOutcome::none;
       judged_.ground = judged_.company = false;

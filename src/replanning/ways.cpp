@@ -115,7 +115,8 @@ std::optional<std::vector<Segment>> Ways::segments_to_goal(const Pose& pose, dou
   return std::nullopt;
 }
 
-std::optional<Way> Ways::from_standing(const Pose& pose, double curvature, const WorkLimit& limit) {
+std::optional<NewDrive> Ways::from_standing(const Pose& pose, double curvature,
+                                            const WorkLimit& limit) {
   PlanOptions options = options_;
   options.budget.seed = limit.seed;
   if (!options.budget.time_limit) options.budget.max_iterations = limit.iterations;
@@ -125,7 +126,7 @@ std::optional<Way> Ways::from_standing(const Pose& pose, double curvature, const
   const Motion begin{.pose = pose, .curvature = curvature};
   auto drive = timed(path, begin, 0.0, options_.clearance.margin, limit, endless);
   if (!drive) return std::nullopt;
-  Way way{*std::move(drive), TickOutcome::new_way, true};
+  NewDrive way{*std::move(drive), TickOutcome::new_way, true};
   way.cost = cost_of(way.drive);
   return way;
 }
@@ -164,8 +165,8 @@ std::optional<Path> Ways::path_of(Look look, const CutDrive& from, double t,
   return path;
 }
 
-std::optional<Way> Ways::to_goal(Look look, const CutDrive& rest, const Wish& wish,
-                                 const WorkLimit& limit) {
+std::optional<NewDrive> Ways::to_goal(Look look, const CutDrive& rest, const Wish& wish,
+                                      const WorkLimit& limit) {
   if (look == Look::new_times && !wish.rest_reaches_goal) return std::nullopt;
   if (scene_.moving.empty() && (look == Look::new_times || look == Look::around)) {
     return std::nullopt;
@@ -187,29 +188,30 @@ std::optional<Way> Ways::to_goal(Look look, const CutDrive& rest, const Wish& wi
   const auto drive = timed(*tail, begin, t, options_.clearance.margin, limit, longest);
   if (!drive) return std::nullopt;
   const bool is_same = look == Look::new_times;
-  Way way{joined(prefix, *drive), is_same ? TickOutcome::new_times : TickOutcome::new_way, true};
+  NewDrive way{joined(prefix, *drive), is_same ? TickOutcome::new_times : TickOutcome::new_way,
+               true};
   way.cost = cost_of(way.drive);
   return way;
 }
 
-std::optional<Way> Ways::to_stop(int i, const CutDrive& rest, double margin,
-                                 const WorkLimit& limit) {
+std::optional<NewDrive> Ways::to_stop(int i, const CutDrive& rest, double margin,
+                                      const WorkLimit& limit) {
   const std::vector<Segment>& segments = rest.drive.path.segments;
   const double whole = length(segments);
   const double speed = speed_of(rest.begin);
   const double first = speed > stands ? std::min(braking_distance(speed) * (1 + 2e-3), whole) : 0.0;
   if (i > 0 && whole - first <= shortest_stop) return std::nullopt;
   const double far = first + (whole - first) * i * i / ((stops - 1) * (stops - 1));
-  if (far <= shortest_stop) return Way{standing_at(rest.begin.pose), TickOutcome::stop};
+  if (far <= shortest_stop) return NewDrive{standing_at(rest.begin.pose), TickOutcome::stop};
   const Path path{rest.begin.pose, cut(segments, 0.0, far)};
   auto drive = timed(path, rest.begin, 0.0, margin, limit, endless);
   if (!drive) return std::nullopt;
-  return Way{*std::move(drive), TickOutcome::stop};
+  return NewDrive{*std::move(drive), TickOutcome::stop};
 }
 
-Way Ways::braking(const CutDrive& rest) const {
+NewDrive Ways::braking(const CutDrive& rest) const {
   const double speed = speed_of(rest.begin);
-  Way way{standing_at(rest.begin.pose), TickOutcome::none};
+  NewDrive way{standing_at(rest.begin.pose), TickOutcome::none};
   if (speed <= stands) return way;
   // The vehicle brakes as hard as it can along its path. If the path is too short, it goes on with
   // the current curvature.

@@ -50,7 +50,7 @@ enum class Look : std::uint8_t {
 };
 
 /// Candidate that may replace the rest of the current drive.
-struct Way {
+struct NewDrive {
   TimedPath drive;
   TickOutcome outcome = TickOutcome::none;
   bool reaches_goal = false;
@@ -72,19 +72,19 @@ class Ways {
   static constexpr int stops = 6;  ///< number of places along a path where a stop is tried
 
   /// Drive from standstill at a pose to the goal; none if none is found.
-  [[nodiscard]] std::optional<Way> from_standing(const Pose& pose, double curvature,
-                                                 const WorkLimit& limit);
+  [[nodiscard]] std::optional<NewDrive> from_standing(const Pose& pose, double curvature,
+                                                      const WorkLimit& limit);
 
   /// Drive to the goal that equals `rest` for the committed seconds; none if the look finds none.
-  [[nodiscard]] std::optional<Way> to_goal(Look look, const CutDrive& rest, const Wish& wish,
-                                           const WorkLimit& limit);
+  [[nodiscard]] std::optional<NewDrive> to_goal(Look look, const CutDrive& rest, const Wish& wish,
+                                                const WorkLimit& limit);
 
   /// Drive along `rest` to the i-th place of `stops` where it may stop, the nearest first.
-  [[nodiscard]] std::optional<Way> to_stop(int i, const CutDrive& rest, double margin,
-                                           const WorkLimit& limit);
+  [[nodiscard]] std::optional<NewDrive> to_stop(int i, const CutDrive& rest, double margin,
+                                                const WorkLimit& limit);
 
   /// Drive that brakes at once, as hard as the vehicle can.
-  [[nodiscard]] Way braking(const CutDrive& rest) const;
+  [[nodiscard]] NewDrive braking(const CutDrive& rest) const;
 
   /// Cost of a drive: price of its path plus price of its duration [m], or with `cost=time` its
   /// duration [s].

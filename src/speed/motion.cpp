@@ -39,19 +39,19 @@ Motion standing(const Way& way, const Vehicle& vehicle, const Stop& stop, double
 }
 
 /// Part of a drive with constant acceleration or jerk: from a knot to `end` [m].
-struct Part {
+struct DrivePart {
   const SpeedKnot& knot;
   double end;
 };
 
 /// Part of the drive at time `t`, which must lie within the drive [s].
-Part part_at(const SpeedProfile& profile, double t) {
+DrivePart part_at(const SpeedProfile& profile, double t) {
   const auto later = std::ranges::upper_bound(profile.knots, t, {}, &SpeedKnot::t);
   const SpeedKnot& knot = *std::prev(later);
   return {knot, later == profile.knots.end() ? knot.s : later->s};
 }
 
-double place_on(const Part& part, double t) {
+double place_on(const DrivePart& part, double t) {
   const SpeedKnot& knot = part.knot;
   const double d = t - knot.t;
   return std::min(knot.s + d * (knot.v + d * (knot.a / 2 + d * knot.jerk / 6)), part.end);
@@ -61,7 +61,7 @@ Motion motion_on(const Way& way, const Vehicle& vehicle, const SpeedProfile& pro
   t = std::clamp(t, 0.0, profile.duration);
   const Stop* const stop = stop_at(profile, t);
   if (stop != nullptr && t < stop->t + stop->pause) return standing(way, vehicle, *stop, t);
-  const Part part = part_at(profile, t);
+  const DrivePart part = part_at(profile, t);
   const SpeedKnot& knot = part.knot;
   const double d = t - knot.t;
   const double s = place_on(part, t);

@@ -23,7 +23,7 @@ constexpr int most_cuts = 2;
 using Numbers = std::array<double, 3>;
 
 /// Cube within a cell; the cell's coordinates run from 0 to 1.
-struct Part {
+struct CellCube {
   Numbers corner;
   double size;
 };
@@ -58,7 +58,8 @@ class BoundCell {
   }
 
   /// Range of the excess (length - distance) minus a plane through the cell's corner, over `part`.
-  Interval residual(const Numbers& slopes, const Part& part, const WordSet& among, int cuts) const {
+  Interval residual(const Numbers& slopes, const CellCube& part, const WordSet& among,
+                    int cuts) const {
     std::array<Interval, 3> range;
     for (std::size_t k = 0; k < 3; ++k) {
       const double low = corner_[k] + size_[k] * part.corner[k];
@@ -78,7 +79,7 @@ class BoundCell {
     if ((!excess.bounded || spread > good_spread) && cuts > 0) {
       Interval all{infinity, -infinity};
       for (int i = 0; i < 8; ++i) {
-        Part child{part.corner, part.size / 2};
+        CellCube child{part.corner, part.size / 2};
         for (std::size_t k = 0; k < 3; ++k) child.corner[k] += i >> k & 1 ? child.size : 0.0;
         all = hull(all, residual(slopes, child, excess.words, cuts - 1));
       }
