@@ -29,7 +29,8 @@ double drive_time(const Task& task, std::span<const Segment> segments) {
   return speed_profile(path, task.vehicle, {.start_curvature = task.curvatures.start}).duration;
 }
 
-double least_drive_time(const Vehicle& vehicle, const search::CostRule& prices, double length) {
+double drive_time_lower_bound(const Vehicle& vehicle, const search::CostRule& prices,
+                              double length) {
   const DrivingLimits& limits = vehicle.limits;
   const double top = !prices.allows(-1)  ? limits.max_speed.forward
                      : !prices.allows(1) ? limits.max_speed.reverse

@@ -16,8 +16,8 @@ namespace vandplan::planning {
 
 /// Lower bound of the duration of drives of at least `length` metres [s]: at the highest speed of
 /// the gears that the prices allow, with one start and one stop.
-[[nodiscard]] double least_drive_time(const Vehicle& vehicle, const search::CostRule& prices,
-                                      double length);
+[[nodiscard]] double drive_time_lower_bound(const Vehicle& vehicle, const search::CostRule& prices,
+                                            double length);
 
 /// Prices by which a path costs about the metres that the vehicle could drive at its higher speed
 /// in the duration of the path. Prices of stops and of turning wheels are estimates, because their

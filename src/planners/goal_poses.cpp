@@ -165,7 +165,7 @@ Spread spread_of(const Task& task, const RegionPart& part) {
 
 /// Lower bound of the length of paths to a part. The Reeds-Shepp length is a distance. So it
 /// changes by at most the length of the move, which is made ahead, sideways and on the spot.
-double least_length(const Task& task, const RegionPart& part) {
+double length_lower_bound(const Task& task, const RegionPart& part) {
   const double radius = task.vehicle.min_turning_radius;
   const Spread spread = spread_of(task, part);
   GoalPoint middle = part.middle;
@@ -202,7 +202,7 @@ std::array<RegionPart, 2> halves(const Task& task, const RegionPart& part) {
     RegionPart& half = parts[side];
     half.half[axis] /= 2;
     half.middle.at[axis] += (side == 0 ? -1 : 1) * half.half[axis];
-    half.least = std::max(part.least, least_length(task, half));
+    half.least = std::max(part.least, length_lower_bound(task, half));
   }
   return parts;
 }
@@ -210,14 +210,14 @@ std::array<RegionPart, 2> halves(const Task& task, const RegionPart& part) {
 }  // namespace
 
 // Halves the part with the least bound, until that hardly raises the bound.
-double least_length_to(const Task& task, std::size_t region, std::size_t halvings) {
+double length_lower_bound_to(const Task& task, std::size_t region, std::size_t halvings) {
   constexpr std::size_t most_halvings = 2000;
   constexpr double fine = 1e-4;  // finest size of a part, relative to the bound
   std::priority_queue<RegionPart> parts;
   const bool either_way = task.goal_set[region].either_way;
   for (const bool is_turned : either_way ? std::vector{false, true} : std::vector{false}) {
     RegionPart all{{region, {0.5, 0.5, 0.5, 0.5}, is_turned}, {0.5, 0.5, 0.5, 0.5}, 0.0};
-    all.least = least_length(task, all);
+    all.least = length_lower_bound(task, all);
     parts.push(all);
   }
   for (std::size_t i = 0; i < std::min(halvings, most_halvings); ++i) {

@@ -55,6 +55,7 @@ void spread(const Task& task, std::size_t region, std::size_t most, Take take) {
 
 /// Lower bound of the length of all paths from the start to a region of the set [m], on open
 /// ground. Halves parts of the region `halvings` times, at most 2000 times.
-[[nodiscard]] double least_length_to(const Task& task, std::size_t region, std::size_t halvings);
+[[nodiscard]] double length_lower_bound_to(const Task& task, std::size_t region,
+                                           std::size_t halvings);
 
 }  // namespace vandplan::planning

@@ -149,13 +149,13 @@ class SetRun {
                    .task = problem::task_to(alone_, state, task_.goal_set[point.region].curvature,
                                             options_.clearance)};
     if (!goal.task.checker->rig_is_free(state)) return std::nullopt;
-    goal.bound = least_cost_to(goal.task);
+    goal.bound = cost_lower_bound_to(goal.task);
     return goal;
   }
 
-  [[nodiscard]] double least_cost_to(const Task& task) const {
+  [[nodiscard]] double cost_lower_bound_to(const Task& task) const {
     const Pricing pricing(task, options_.cost, time_price_);
-    if (task.vehicle.trailer) return rig::least_cost(task, pricing);
+    if (task.vehicle.trailer) return rig::cost_lower_bound(task, pricing);
     return anytime::CostBound(task, pricing).least({});
   }
 
@@ -169,10 +169,12 @@ class SetRun {
     double least = endless;
     for (std::size_t region = 0; region < task_.goal_set.size(); ++region) {
       if (!is_continuous(task_.goal_set[region])) continue;
-      const double length = least_length_to(task_, region, halvings_of_set / task_.goal_set.size());
+      const double length =
+          length_lower_bound_to(task_, region, halvings_of_set / task_.goal_set.size());
       const anytime::OpenGround ground{length, length, length, 0.0};
-      const double priced = anytime::least_cost(ground, pricing_.rule(), 0.0);
-      const double cost = pricing_.counts_time() ? pricing_.least_cost(length, length) : priced;
+      const double priced = anytime::cost_lower_bound(ground, pricing_.rule(), 0.0);
+      const double cost =
+          pricing_.counts_time() ? pricing_.cost_lower_bound(length, length) : priced;
       least = std::min(least, cost);
     }
     return least;

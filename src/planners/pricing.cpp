@@ -41,9 +41,9 @@ double Pricing::cost(std::span<const Segment> segments, search::ClearanceSamplin
   return cost(segments, search::clearance_cost(task_, prices_, task_.start, segments, sampling));
 }
 
-double Pricing::least_cost(double length, double priced) const {
+double Pricing::cost_lower_bound(double length, double priced) const {
   if (!counts_time()) return priced;
-  const double time = least_drive_time(task_.vehicle, prices_, length);
+  const double time = drive_time_lower_bound(task_.vehicle, prices_, length);
   return is_time_ ? time : priced + time_price_ * time;
 }
 

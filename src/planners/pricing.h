@@ -38,7 +38,7 @@ class Pricing {
 
   /// Lower bound of the cost of drives whose path is at least `length` metres long and has prices
   /// of at least `priced` metres.
-  [[nodiscard]] double least_cost(double length, double priced) const;
+  [[nodiscard]] double cost_lower_bound(double length, double priced) const;
 
  private:
   const Task& task_;

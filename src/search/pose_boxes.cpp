@@ -99,7 +99,7 @@ bool PoseBoxes::prepare(std::int64_t work) {
   return true;
 }
 
-bool PoseBoxes::is_full() const noexcept { return least_lengths_.size() > most_boxes; }
+bool PoseBoxes::is_full() const noexcept { return length_bounds_.size() > most_boxes; }
 
 /// Range of the disc's way to the places of a part, in metres of the rear axle.
 PoseBoxes::Range PoseBoxes::way(GeodesicField& field, const Point& part) const {
@@ -131,7 +131,7 @@ PoseBoxes::Id PoseBoxes::column_at(std::int32_t x, std::int32_t y) {
     column.to_goal.most = std::max(column.to_goal.most, to_goal.most);
   }
   columns_.push_back(column);
-  least_lengths_.resize(columns_.size() * headings_, -1.0F);
+  length_bounds_.resize(columns_.size() * headings_, -1.0F);
   return static_cast<Id>(index);
 }
 
@@ -228,8 +228,8 @@ double PoseBoxes::find_least_length(Id id) const {
   return length > longest_ || is_hit(box.middle) ? infinity : length;
 }
 
-float PoseBoxes::least_length(Id box) {
-  float& known = least_lengths_[box];
+float PoseBoxes::length_lower_bound(Id box) {
+  float& known = length_bounds_[box];
   if (known < 0) {
     ++looks_;
     const double length = find_least_length(box);

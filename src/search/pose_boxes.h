@@ -56,9 +56,9 @@ class PoseBoxes {
   /// The six boxes that share a face with a box; the box itself where the lattice ends.
   [[nodiscard]] std::array<Id, 6> neighbours(Id box);
   /// Lower bound on the length of all paths through a box [m]; infinite if it is closed.
-  [[nodiscard]] float least_length(Id box);
+  [[nodiscard]] float length_lower_bound(Id box);
   /// Number of boxes so far, above all their ids. Neighbours add boxes.
-  [[nodiscard]] std::size_t size() const noexcept { return least_lengths_.size(); }
+  [[nodiscard]] std::size_t size() const noexcept { return length_bounds_.size(); }
   [[nodiscard]] bool is_full() const noexcept;
   /// Number of boxes whose length was computed so far.
   [[nodiscard]] std::int64_t looks() const noexcept { return looks_; }
@@ -118,7 +118,7 @@ class PoseBoxes {
   std::vector<std::int32_t> index_;  // Column of each cell; -1: not looked at.
   std::vector<Column> columns_;
   std::int64_t looks_ = 0;
-  std::vector<float> least_lengths_;  // Lower bounds of boxes [m]; negative: not computed.
+  std::vector<float> length_bounds_;  // Lower bounds of boxes [m]; negative: not computed.
 };
 
 }  // namespace vandplan::search

@@ -88,7 +88,7 @@ void PoseCut::add_group(const PoseBoxes::Crossing& cell, PoseBoxes::Id heading) 
   const PoseBoxes::Id end = first + std::min(boxes_of_group, boxes_.headings() - heading);
   Group group{needs_.size(), needs_.size(), {infinity, infinity}, cell.way_to_goal};
   for (PoseBoxes::Id id = first; id < end; ++id) {
-    if (boxes_.least_length(id) == std::numeric_limits<float>::infinity()) continue;
+    if (boxes_.length_lower_bound(id) == std::numeric_limits<float>::infinity()) continue;
     const PoseBoxes::Box box = boxes_.box(id);
     const Needs needs{std::max(distance_ - slack, box.from_start),
                       std::max(cell.way_to_goal.least, box.to_goal)};
@@ -158,7 +158,7 @@ double PoseCut::least_of(const Target& target, const Group& group, double least,
   return least;
 }
 
-float PoseCut::least_length(PoseBoxes::Id id, double enough, Index& by) {
+float PoseCut::length_lower_bound(PoseBoxes::Id id, double enough, Index& by) {
   const PoseBoxes::Box box = boxes_.box(id);
   const bool is_beyond = box.way_from_start.least >= distance_;
   const Target target{

@@ -36,7 +36,7 @@ class PoseCut {
   /// Lower bound on the length of paths through an open box [m] if it is above `enough`; otherwise
   /// some length up to `enough`. `by`: on entry a guess of the best box of the cut, on return the
   /// best one known.
-  [[nodiscard]] float least_length(PoseBoxes::Id id, double enough, Index& by);
+  [[nodiscard]] float length_lower_bound(PoseBoxes::Id id, double enough, Index& by);
   /// Number of Reeds-Shepp lengths computed so far.
   [[nodiscard]] std::int64_t lengths() const noexcept { return lengths_; }
 

@@ -50,7 +50,7 @@ void PoseFlood::reach(PoseBoxes::Id box, std::size_t flood, PoseCut::Index by) {
   const auto mark = static_cast<std::uint8_t>(1U << flood);
   if ((reached_[box] & mark) != 0) return;
   reached_[box] = static_cast<std::uint8_t>(reached_[box] | mark);
-  const float length = boxes_->least_length(box);
+  const float length = boxes_->length_lower_bound(box);
   if (length != std::numeric_limits<float>::infinity()) open_[flood].push({length, box, by});
 }
 
@@ -67,7 +67,7 @@ bool PoseFlood::spread(std::size_t flood) {
   levels_[flood] = entry.length;
   bound_ = std::max(bound_, static_cast<double>(entry.length));
   if (cut_ && !entry.knows_cut && cut_->is_near(entry.box)) {
-    const float length = cut_->least_length(entry.box, bound_, entry.by);
+    const float length = cut_->length_lower_bound(entry.box, bound_, entry.by);
     if (static_cast<double>(length) > longest_) return true;
     if (static_cast<double>(length) > bound_) {  // The box is expanded later.
       open.push({length, entry.box, entry.by, true});

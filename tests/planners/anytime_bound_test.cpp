@@ -22,7 +22,7 @@ namespace vandplan {
 namespace {
 
 double bound_of(const Problem& problem, const search::CostRule& rule) {
-  return least_cost(anytime::open_ground(problem.task(), rule), rule, 0.0);
+  return cost_lower_bound(anytime::open_ground(problem.task(), rule), rule, 0.0);
 }
 
 PlanResult run(const Problem& problem, const CostOptions& cost = shortest_style) {
@@ -206,16 +206,16 @@ TEST(AnytimeBound, DoesNotJumpWhereAnArcVanishes) {
 TEST(AnytimeBound, PutsOpenGroundAndTheWayAroundTogether) {
   const anytime::OpenGround ground{.forward = 50, .reverse = 22, .shortest = 10};
   search::CostRule rule{.reverse_weight = 2, .gear_change_cost = 5};
-  EXPECT_DOUBLE_EQ(least_cost(ground, rule, 0), 15);
-  EXPECT_DOUBLE_EQ(least_cost(ground, rule, 20), 25);
-  EXPECT_DOUBLE_EQ(least_cost(ground, rule, 48), 50);
-  EXPECT_DOUBLE_EQ(least_cost(ground, rule, 60), 60);
+  EXPECT_DOUBLE_EQ(cost_lower_bound(ground, rule, 0), 15);
+  EXPECT_DOUBLE_EQ(cost_lower_bound(ground, rule, 20), 25);
+  EXPECT_DOUBLE_EQ(cost_lower_bound(ground, rule, 48), 50);
+  EXPECT_DOUBLE_EQ(cost_lower_bound(ground, rule, 60), 60);
   rule.initial_gear = 1;
   rule.gear_change_cost = 100;
-  EXPECT_DOUBLE_EQ(least_cost(ground, rule, 20), 50);
+  EXPECT_DOUBLE_EQ(cost_lower_bound(ground, rule, 20), 50);
   rule.initial_gear = -1;
-  EXPECT_DOUBLE_EQ(least_cost(ground, rule, 24), 48);
-  EXPECT_DOUBLE_EQ(least_cost(ground, {}, 20), 20);
+  EXPECT_DOUBLE_EQ(cost_lower_bound(ground, rule, 24), 48);
+  EXPECT_DOUBLE_EQ(cost_lower_bound(ground, {}, 20), 20);
 }
 
 // A planner that claims too much is told so; its claim is not made to fit.

@@ -136,12 +136,12 @@ TEST(Fastest, NoDriveBeatsTheLeastTime) {
     const AllowedGears own =
         path.segments[0].length > 0 ? AllowedGears::forward : AllowedGears::reverse;
     const search::CostRule in_both, in_one = search::restricted({}, own);
-    const double least = planning::least_drive_time(vehicle, in_both, length(path));
-    const double least_in_one = planning::least_drive_time(vehicle, in_one, length(path));
+    const double least = planning::drive_time_lower_bound(vehicle, in_both, length(path));
+    const double least_in_one = planning::drive_time_lower_bound(vehicle, in_one, length(path));
     EXPECT_LE(least, least_in_one);
     EXPECT_LE(least_in_one, time * (1 + 1e-12));
     vehicle.limits.max_speed = {10, 10};
-    EXPECT_NEAR(planning::least_drive_time(vehicle, in_both, length(path)),
+    EXPECT_NEAR(planning::drive_time_lower_bound(vehicle, in_both, length(path)),
                 speed_profile(path, vehicle).duration, 1e-9 * time + 1e-9 * length(path));
   }
 }

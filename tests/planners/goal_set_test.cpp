@@ -442,7 +442,7 @@ TEST(GoalSet, NoPathToARegionIsShorterThanItsBound) {
     any.either_way = chance(0.3, rng);
     const Problem problem = make_problem(yard({any}));
     const Task& task = problem.task();
-    const double bound = planning::least_length_to(task, 0, 2000);
+    const double bound = planning::length_lower_bound_to(task, 0, 2000);
     double least = endless_cost;
     for (std::size_t i = 0; i < 500; ++i) {
       const planning::GoalPoint point = planning::point_of_sequence(task, 0, i);

@@ -340,7 +340,7 @@ TEST(RigPlanning, TheBoundIsThatOfTheTrailerWhereItIsTheDearer) {
   scenario.goal = {2, 20, 0};
   const Problem problem = make_problem(scenario);
   const Task& task = problem.task();
-  const double bound = rig::least_cost(task, {});
+  const double bound = rig::cost_lower_bound(task, {});
   EXPECT_GT(bound, 2 * reeds_shepp_length(scenario.start, scenario.goal, 5.9));
   const PlanResult result = plan(problem, with_iterations(cases(4000)));
   if (is_sanitized) return;
@@ -375,7 +375,7 @@ TEST(RigBoundLaw, NoDriveCostsLess) {
     rule.gear_change_cost = uniform(0, 5, rng);
     search::Driven driven;
     const double cost = search::drive_cost(rule, segments, driven);
-    EXPECT_LE(rig::least_cost(make_problem(scenario).task(), rule), cost + 1e-9);
+    EXPECT_LE(rig::cost_lower_bound(make_problem(scenario).task(), rule), cost + 1e-9);
   });
 }
 
@@ -393,8 +393,8 @@ TEST(RigBound, KnowsThatATrailerMayGoFartherThanItsTractor) {
   scenario.hitch_angles = {from.hitch_angle, to.hitch_angle};
   const Problem problem = make_problem(scenario);
   const Task& task = problem.task();
-  EXPECT_LE(rig::least_cost(task, {}), arc.length + 1e-12);
-  EXPECT_GT(rig::least_cost(task, {}), 0.95 * arc.length);
+  EXPECT_LE(rig::cost_lower_bound(task, {}), arc.length + 1e-12);
+  EXPECT_GT(rig::cost_lower_bound(task, {}), 0.95 * arc.length);
 }
 
 TEST(RigPlanning, WhereTheCostIsTheTimeDrivesAreFaster) {
@@ -461,10 +461,10 @@ TEST(RigBoundLaw, NoDriveTakesLess) {
     time.measure = CostMeasure::time;
     const double duration = speed_profile({{0, 0, 0}, segments}, vehicle).duration;
     const planning::Pricing seconds(problem.task(), time);
-    EXPECT_LE(rig::least_cost(problem.task(), seconds), duration + 1e-6);
+    EXPECT_LE(rig::cost_lower_bound(problem.task(), seconds), duration + 1e-6);
     EXPECT_EQ(seconds.cost(segments, 0), duration);
     const planning::Pricing both(problem.task(), shortest_style, 2.0);
-    EXPECT_LE(rig::least_cost(problem.task(), both), both.cost(segments, 0) + 1e-6);
+    EXPECT_LE(rig::cost_lower_bound(problem.task(), both), both.cost(segments, 0) + 1e-6);
     EXPECT_NEAR(both.cost(segments, 0), length(segments) + 2 * duration, 1e-9);
   });
 }

@@ -106,16 +106,16 @@ std::unique_ptr<search::PoseBoxes> boxes_of(const Task& task, double side, doubl
 }
 
 /// Of paths through a pose.
-double least_length(search::PoseBoxes& boxes, search::PoseCut* cut, const Pose& pose,
-                    search::PoseCut::Index& by) {
+double length_lower_bound(search::PoseBoxes& boxes, search::PoseCut* cut, const Pose& pose,
+                          search::PoseCut::Index& by) {
   const auto box = boxes.box_of(pose);
-  const double known = static_cast<double>(boxes.least_length(box));
+  const double known = static_cast<double>(boxes.length_lower_bound(box));
   if (std::isinf(known) || cut == nullptr || !cut->is_near(box)) return known;
-  return std::max(known, static_cast<double>(cut->least_length(box, 0, by)));
+  return std::max(known, static_cast<double>(cut->length_lower_bound(box, 0, by)));
 }
-double least_length(search::PoseBoxes& boxes, search::PoseCut* cut, const Pose& pose) {
+double length_lower_bound(search::PoseBoxes& boxes, search::PoseCut* cut, const Pose& pose) {
   search::PoseCut::Index by = search::PoseCut::none;
-  return least_length(boxes, cut, pose, by);
+  return length_lower_bound(boxes, cut, pose, by);
 }
 
 /// Likewise a cut through them.
@@ -211,7 +211,7 @@ TEST(PoseBoxes, NeedNoLongerPathThanTheOneByAnyOfTheirPoses) {
       const double length =
           reeds_shepp_length(start, by, radius) + reeds_shepp_length(by, goal, radius);
       if (length > longest) continue;
-      EXPECT_LE(least_length(*boxes, cut.get(), by), length)
+      EXPECT_LE(length_lower_bound(*boxes, cut.get(), by), length)
           << as_code(start) << " to " << as_code(goal) << " by " << as_code(by);
     }
   });
@@ -277,11 +277,11 @@ TEST(PoseCut, AsksForNoMoreThanAPathThroughAGate) {
     ++used;
     search::PoseCut::Index by = search::PoseCut::none;
     for (const PathPoint& point : sampled(path, 0.1)) {
-      const double least = least_length(*boxes, cut.get(), point.pose);
+      const double least = length_lower_bound(*boxes, cut.get(), point.pose);
       ASSERT_LE(least, length(path) * (1 + 1e-9))
           << as_code(path) << " by " << as_code(point.pose) << " in boxes of " << side;
       // Whichever box of the cut it looks at first, it finds the best one.
-      ASSERT_EQ(least_length(*boxes, cut.get(), point.pose, by), least);
+      ASSERT_EQ(length_lower_bound(*boxes, cut.get(), point.pose, by), least);
     }
   });
   EXPECT_GT(used, cases(300) / 10);

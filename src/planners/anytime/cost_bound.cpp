@@ -28,9 +28,9 @@ double CostBound::least(const Proven& proven) const {
   const double off = rule.is_length() ? 0.0 : 2 * steering::judged.position;
   const double around =
       std::max({0.0, proven.shortest - off, proven.shortest_turn - ground_.leeway});
-  if (!pricing_.counts_time()) return least_cost(ground_, rule, around);
-  const double length = std::max(least_length(ground_, rule), around);
-  return pricing_.least_cost(length, length);
+  if (!pricing_.counts_time()) return cost_lower_bound(ground_, rule, around);
+  const double length = std::max(length_lower_bound(ground_, rule), around);
+  return pricing_.cost_lower_bound(length, length);
 }
 
 bool CostBound::is_optimal(double cost, const Proven& proven) const {
@@ -40,7 +40,7 @@ bool CostBound::is_optimal(double cost, const Proven& proven) const {
   if (pricing_.counts_time()) {
     return cost <= least(proven) * (1 + (pricing_.is_time() ? of_time : of_both));
   }
-  return cost <= least_cost(ground_, pricing_.rule(), 0.0) * (1 + 1e-12) + ground_.leeway;
+  return cost <= cost_lower_bound(ground_, pricing_.rule(), 0.0) * (1 + 1e-12) + ground_.leeway;
 }
 
 }  // namespace vandplan::anytime

@@ -53,12 +53,12 @@ OpenGround open_ground(const Task& task, const search::CostRule& rule, const Clo
   return {forward / slack, reverse / slack, std::max(shortest - leeway, 0.0) / slack, leeway};
 }
 
-double least_length(const OpenGround& ground, const search::CostRule& rule) {
+double length_lower_bound(const OpenGround& ground, const search::CostRule& rule) {
   return rule.allows_both() ? ground.shortest : rule.allows(1) ? ground.forward : ground.reverse;
 }
 
 // A path in one gear may change gear before it begins, unless its length is 0.
-double least_cost(const OpenGround& ground, const search::CostRule& rule, double around) {
+double cost_lower_bound(const OpenGround& ground, const search::CostRule& rule, double around) {
   if (rule.is_length()) return std::max(ground.shortest, around);
   double least = std::numeric_limits<double>::infinity();
   if (rule.allows_both()) {

@@ -20,7 +20,7 @@ struct OpenGround {
 };
 
 /// Lower bound of the length of paths in the gears that a rule allows [m].
-[[nodiscard]] double least_length(const OpenGround& ground, const search::CostRule& rule);
+[[nodiscard]] double length_lower_bound(const OpenGround& ground, const search::CostRule& rule);
 
 /// Lower bounds of a task. With prices they hold for every path whose ends are off by at most
 /// `ends`, which is the judge's tolerance by default. By length they hold for exact ends only, and
@@ -30,7 +30,7 @@ struct OpenGround {
 
 /// Lower bound of the cost of all paths [m], if none is shorter than `around` metres because of
 /// obstacles.
-[[nodiscard]] double least_cost(const OpenGround& ground, const search::CostRule& rule,
-                                double around);
+[[nodiscard]] double cost_lower_bound(const OpenGround& ground, const search::CostRule& rule,
+                                      double around);
 
 }  // namespace vandplan::anytime

@@ -17,12 +17,12 @@ using search::Connector, search::CostRule;
 
 /// Lower bound of the cost of one body alone on open ground, for exact ends or for ends that are
 /// `off`.
-double least_cost_alone(const Task& task, const CostRule& rule, Ends which,
-                        const steering::Closing& off) {
+double cost_lower_bound_alone(const Task& task, const CostRule& rule, Ends which,
+                              const steering::Closing& off) {
   if (which == Ends::exact) {
     return Connector(task, rule).least_cost(task.start, task.goal, {rule.initial_gear, {}});
   }
-  return anytime::least_cost(anytime::open_ground(task, rule, off), rule, 0.0);
+  return anytime::cost_lower_bound(anytime::open_ground(task, rule, off), rule, 0.0);
 }
 
 /// How far the ends of a trailer's axle may be off, if tractor and hitch angle are off as far as
@@ -49,22 +49,23 @@ Task towed_task(const Task& task) {
   return towed;
 }
 
-double least_cost(const Task& task, const CostRule& rule, Ends ends) {
-  const double of_tractor = least_cost_alone(task, rule, ends, steering::judged);
+double cost_lower_bound(const Task& task, const CostRule& rule, Ends ends) {
+  const double of_tractor = cost_lower_bound_alone(task, rule, ends, steering::judged);
   const vehicle::TrailerAlone trailer = vehicle::trailer_alone(task.vehicle);
   if (trailer.most_angle >= std::numbers::pi / 2) return of_tractor;
   CostRule of_metres = rule;  // the curvature that has a price is the tractor's
   of_metres.curvature_change_cost = 0.0;
   const double of_trailer =
-      least_cost_alone(towed_task(task), of_metres, ends, ends_of_trailer(task.vehicle));
+      cost_lower_bound_alone(towed_task(task), of_metres, ends, ends_of_trailer(task.vehicle));
   return std::max(of_tractor, of_trailer / trailer.most_way);
 }
 
-double least_cost(const Task& task, const planning::Pricing& pricing, Ends ends) {
-  const double length =
-      pricing.counts_time() ? least_cost(task, search::length_rule(pricing.rule()), ends) : 0.0;
-  const double priced = pricing.is_time() ? 0.0 : least_cost(task, pricing.prices(), ends);
-  return pricing.least_cost(length, priced);
+double cost_lower_bound(const Task& task, const planning::Pricing& pricing, Ends ends) {
+  const double length = pricing.counts_time()
+                            ? cost_lower_bound(task, search::length_rule(pricing.rule()), ends)
+                            : 0.0;
+  const double priced = pricing.is_time() ? 0.0 : cost_lower_bound(task, pricing.prices(), ends);
+  return pricing.cost_lower_bound(length, priced);
 }
 
 }  // namespace vandplan::rig

@@ -23,12 +23,12 @@ enum class Ends {
 };
 
 /// Lower bound of the cost of all drives of the rig [m]. By length it holds for exact ends only.
-[[nodiscard]] double least_cost(const Task& task, const search::CostRule& rule,
-                                Ends ends = Ends::judged);
+[[nodiscard]] double cost_lower_bound(const Task& task, const search::CostRule& rule,
+                                      Ends ends = Ends::judged);
 
 /// Lower bound of the cost of all drives of the rig, where the time is a part of the cost [m], or
 /// all of it [s].
-[[nodiscard]] double least_cost(const Task& task, const planning::Pricing& pricing,
-                                Ends ends = Ends::judged);
+[[nodiscard]] double cost_lower_bound(const Task& task, const planning::Pricing& pricing,
+                                      Ends ends = Ends::judged);
 
 }  // namespace vandplan::rig
