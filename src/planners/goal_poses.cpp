@@ -211,7 +211,7 @@ std::array<RegionPart, 2> halves(const Task& task, const RegionPart& part) {
 
 // Halves the part with the least bound, until that hardly raises the bound.
 double length_lower_bound_to(const Task& task, std::size_t region, std::size_t halvings) {
-  constexpr std::size_t most_halvings = 2000;
+  constexpr std::size_t max_halvings = 2000;
   constexpr double fine = 1e-4;  // finest size of a part, relative to the bound
   std::priority_queue<RegionPart> parts;
   const bool either_way = task.goal_set[region].either_way;
@@ -220,7 +220,7 @@ double length_lower_bound_to(const Task& task, std::size_t region, std::size_t h
     all.least = length_lower_bound(task, all);
     parts.push(all);
   }
-  for (std::size_t i = 0; i < std::min(halvings, most_halvings); ++i) {
+  for (std::size_t i = 0; i < std::min(halvings, max_halvings); ++i) {
     const RegionPart part = parts.top();
     const Spread spread = spread_of(task, part);
     if (spread.place + spread.turn <= fine * part.least) break;

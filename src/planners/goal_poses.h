@@ -41,12 +41,12 @@ void spread(const Task& task, std::size_t region, std::size_t most, Take take);
 [[nodiscard]] bool is_in_region(const Task& task, const GoalPoint& point);
 
 /// Number of points after which a region counts as having no more.
-inline constexpr std::size_t most_looks = 4096;
+inline constexpr std::size_t max_points = 4096;
 
 template <class Take>
 void spread(const Task& task, std::size_t region, std::size_t most, Take take) {
   const GoalRegion& of = task.goal_set[region];
-  const std::size_t looks = is_continuous(of) ? most_looks : of.either_way ? 2 : 1;
+  const std::size_t looks = is_continuous(of) ? max_points : of.either_way ? 2 : 1;
   for (std::size_t i = 0, taken = 0; i < looks && taken < most; ++i) {
     const GoalPoint point = point_of_sequence(task, region, i);
     if (is_in_region(task, point) && take(point)) ++taken;

@@ -35,16 +35,16 @@ constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr std::int64_t states_per_iteration = 200;  // states that count as one iteration
 constexpr std::int64_t first_states = 40'000;       // most states for one path at first
 constexpr double worth_a_way_around = 0.5;          // excess that starts searches around [m or s]
-constexpr std::size_t most_ghosts = 4;              // ghosts of one source
-constexpr std::size_t most_sources = 24;            // the first source and those with ghosts
-constexpr std::int64_t most_states_of_all = 1'000'000;  // most states for one path (memory)
+constexpr std::size_t max_ghosts = 4;               // ghosts of one source
+constexpr std::size_t max_sources = 24;             // the first source and those with ghosts
+constexpr std::int64_t max_states_of_path = 1'000'000;  // most states for one path (memory)
 constexpr double weight_of_best = 4.0;                  // weight of the source of the best drive
 constexpr double long_wait = 1.3;  // a drive that costs so many times the fastest waits long
 constexpr double weight_of_dearer = 0.25;      // weight of a source whose fastest drive is dearer
 constexpr std::int64_t before_refuges = 1500;  // iterations before refuges are tried
 constexpr double share_of_refuges = 0.5;       // share of later work without a drive
-constexpr double later_share_of_refuges = 0.125;  // share of later work with a drive
-constexpr std::int64_t most_of_detour = 600;      // most iterations of a detour
+constexpr double later_share_of_refuges = 0.125;     // share of later work with a drive
+constexpr std::int64_t max_detour_iterations = 600;  // most iterations of a detour
 
 /// A path with its times, and their costs.
 struct TimedWay {
@@ -172,7 +172,7 @@ class InTimeRun {
 
   /// Whether a detour needs no more work: its path has got its times, or no path is found.
   [[nodiscard]] static bool is_spent(const Source& detour) {
-    if (detour.is_finished() || detour.spent >= most_of_detour) return true;
+    if (detour.is_finished() || detour.spent >= max_detour_iterations) return true;
     return !detour.path.empty() && !detour.wants_times();
   }
 
@@ -288,7 +288,7 @@ class InTimeRun {
     // A detour that does not win has one careful search: there are many detours.
     const bool may_go_on = !source.detour || &source == best_source_;
     source.is_cut_off =
-        may_go_on && !is_hasty && may_be_better && states_for(source) < most_states_of_all;
+        may_go_on && !is_hasty && may_be_better && states_for(source) < max_states_of_path;
     source.retry_at = source.spent + 4 * (budget_.iterations() - before);
     if (yielding.met && cost > source.fastest_cost + worth_a_way_around) {
       go_around(source, *yielding.met);
@@ -313,9 +313,9 @@ class InTimeRun {
   /// Adds sources that go around the obstacle that the fastest drive of a source meets.
   void go_around(const Source& source, const Meeting& meeting) {
     if (!met_) met_ = meeting;
-    if (source.detour || source.ghosts.size() >= most_ghosts) return;
+    if (source.detour || source.ghosts.size() >= max_ghosts) return;
     for (const Ghost& ghost : ghosts_at(meeting)) {
-      if (sources_around_ + 1 >= most_sources) return;
+      if (sources_around_ + 1 >= max_sources) return;
       std::vector<Ghost> ghosts = source.ghosts;
       if (std::ranges::find(ghosts, ghost) != ghosts.end()) continue;
       ghosts.push_back(ghost);
@@ -335,7 +335,7 @@ class InTimeRun {
   [[nodiscard]] std::int64_t states_for(const Source& source) const {
     const std::int64_t states = first_states + states_per_iteration / 10 * budget_.iterations();
     if (source.detour && &source != best_source_) return first_states;  // there are many detours
-    return std::min(states << source.doublings, most_states_of_all);
+    return std::min(states << source.doublings, max_states_of_path);
   }
 
   /// Longest drive along a path of cost `path_cost` that is better than the best drive [s].

@@ -26,11 +26,11 @@ namespace {
 constexpr double endless = std::numeric_limits<double>::infinity();
 
 /// Most goals of a region that are searched for: with one interval, and with several.
-constexpr std::size_t most_of_line = 16;
-constexpr std::size_t most_of_region = 64;
-constexpr std::size_t most_of_set = 2048;        // most goals of all regions, but two of each
+constexpr std::size_t max_goals_of_line = 16;
+constexpr std::size_t max_goals_of_region = 64;
+constexpr std::size_t max_goals_of_set = 2048;   // most goals of all regions, but two of each
 constexpr std::size_t halvings_of_set = 20'000;  // halvings of parts of all regions, for the bound
-constexpr std::size_t most_open_ways = 2;  // goals tried on open ground before the first search
+constexpr std::size_t max_open_ways = 2;  // goals tried on open ground before the first search
 /// Work on the most promising goal after which twice as many goals are looked at [iterations].
 constexpr double work_of_doubling = 64.0;
 /// Work on a goal is weighted by its cost over the best cost, to a power that grows, as a first
@@ -102,14 +102,14 @@ class SetRun {
   void add_goals() {
     std::vector<Candidate> goals;
     const std::size_t regions = task_.goal_set.size();
-    const std::size_t share = std::max<std::size_t>(most_of_set / regions, 2);
+    const std::size_t share = std::max<std::size_t>(max_goals_of_set / regions, 2);
     for (std::size_t region = 0; region < regions; ++region) {
       if (!goals.empty() && budget_.is_interrupted()) {
         saw_all_ = false;
         break;
       }
       const bool is_line = number_of_intervals(task_, region) == 1;
-      const std::size_t most = std::min(is_line ? most_of_line : most_of_region, share);
+      const std::size_t most = std::min(is_line ? max_goals_of_line : max_goals_of_region, share);
       spread(task_, region, most, [&](const GoalPoint& point) {
         ++looked_at_;
         std::optional<Candidate> goal = candidate_at(point);
@@ -134,7 +134,7 @@ class SetRun {
   /// Number of goals that are tried on open ground: 0 if searches do not begin with that.
   [[nodiscard]] std::ptrdiff_t looks_at_open_ways(std::size_t goals) const {
     const bool begins_there = !task_.vehicle.trailer && task_.moving.empty();
-    return begins_there ? static_cast<std::ptrdiff_t>(std::min(goals, most_open_ways)) : 0;
+    return begins_there ? static_cast<std::ptrdiff_t>(std::min(goals, max_open_ways)) : 0;
   }
 
   /// Whether the search for the goal has a path at once, on open ground.
@@ -242,7 +242,7 @@ class SetRun {
       goal.search = search_to_(goal.task, options, goal.known ? &*goal.known : nullptr);
     }
     const std::int64_t done = goal.search->iterations();
-    goal.is_done = !goal.search->advance(budget_.left(most_of_turn, 0));
+    goal.is_done = !goal.search->advance(budget_.left(max_turn_iterations, 0));
     const std::int64_t work = goal.search->iterations() - done;
     budget_.spend(work);
     goal.spent += std::max<std::int64_t>(work, 1);
@@ -404,7 +404,8 @@ class SetRun {
       answer.reason += "; so for all " + std::to_string(closed) + " goals that are free";
   }
 
-  static constexpr std::int64_t most_of_turn = std::int64_t{1} << 40;  // iterations: no limit
+  static constexpr std::int64_t max_turn_iterations = std::int64_t{1}
+                                                      << 40;  // iterations: no limit
 
   const Task& task_;
   Task alone_ = task_;  // the task without its set

@@ -28,7 +28,7 @@ constexpr double share_across = 0.2;    // share of poses across the path
 constexpr int places_to_leave = 4;      // tries to leave the path, and to come back
 constexpr double furthest_along = 6.0;  // largest distance along the path [turning radii]
 constexpr double look_step = 0.5;       // time between looks at obstacles [s]
-constexpr double most_steps = 400;      // most looks at an obstacle
+constexpr double max_steps = 400;       // most looks at an obstacle
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double top_speed(const Vehicle& vehicle) {
@@ -258,7 +258,7 @@ bool Refuges::lets_pass(const LocalPose& pose, std::size_t passing) const {
   const double way = reeds_shepp_length(task_.start, pose, task_.vehicle.min_turning_radius);
   const double begin = way / top_speed(task_.vehicle);
   const double end = std::max(encounters.rests(passing), begin);
-  const double step = std::max(look_step, (end - begin) / most_steps);
+  const double step = std::max(look_step, (end - begin) / max_steps);
   const RigState state{pose, 0.0};
   const auto gap = [&](std::size_t i, double t) {
     const std::optional<double> leaves = encounters.leaves(i);

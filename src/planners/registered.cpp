@@ -63,7 +63,7 @@ std::vector<Planner> registered_planners() {
 namespace vandplan {
 namespace {
 
-constexpr std::int64_t most_of_a_source = 10'000;  // most iterations of a source in a round
+constexpr std::int64_t max_source_share = 10'000;  // most iterations of a source in a round
 
 }  // namespace
 
@@ -80,9 +80,9 @@ Planner warm_started(const Path& path) {
 Planner with_sources(std::vector<NamedSource> sources) {
   for (const NamedSource& source : sources) {
     if (!source.make) throw InputError("source " + source.name, "has nothing that makes it");
-    if (source.share < 1 || source.share > most_of_a_source) {
+    if (source.share < 1 || source.share > max_source_share) {
       throw InputError("source " + source.name, "share: expected 1 to " +
-                                                    std::to_string(most_of_a_source) + ", not " +
+                                                    std::to_string(max_source_share) + ", not " +
                                                     std::to_string(source.share));
     }
   }

@@ -29,7 +29,7 @@ using namespace search;
 using commands::DriveShortener, commands::price_of_lack;
 
 constexpr std::array<std::string_view, 2> method_names = {"clothoids", "optimised"};
-constexpr std::int64_t most_repairs = 20'000;
+constexpr std::int64_t max_repairs = 20'000;
 constexpr std::int64_t settling = 1000;  // trials that take out what repairs made longer
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -120,7 +120,7 @@ void Smoother::take(std::vector<Segment> segments, double price) {
 std::optional<Route> Smoother::chained(Connector& connector) {
   anytime::Chain chain(task_, connector, old_, stream_seed(seed_, 0));
   if (!chain.join()) return std::nullopt;
-  for (std::int64_t i = 0; i < most_repairs && !chain.is_free() && budget_.next(); ++i) {
+  for (std::int64_t i = 0; i < max_repairs && !chain.is_free() && budget_.next(); ++i) {
     chain.repair();
   }
   if (!chain.is_free()) return std::nullopt;

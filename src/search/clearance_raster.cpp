@@ -9,7 +9,7 @@ namespace vandplan::search {
 namespace {
 
 constexpr double cells_of_width = 4.0;  // Cells across the vehicle's width.
-constexpr double most_cells = 160'000.0;
+constexpr double max_cells = 160'000.0;
 // Largest distance between discs [inner radii]. Halfway between two discs the body sticks out as
 // far as the discs stick out beside their middles.
 constexpr double spacing = 1.4;
@@ -29,8 +29,8 @@ ClearanceRaster::ClearanceRaster(const Task& task, const Bounds& box, double mos
   reach_ = static_cast<float>(reach + margin_);
   const double width = box.x_max - box.x_min;
   const double height = box.y_max - box.y_min;
-  side_ = std::max({task.vehicle.width / cells_of_width, std::sqrt(width * height / most_cells),
-                    std::max(width, height) / most_cells});
+  side_ = std::max({task.vehicle.width / cells_of_width, std::sqrt(width * height / max_cells),
+                    std::max(width, height) / max_cells});
   per_side_ = static_cast<float>(1 / side_);
   most_ = static_cast<float>(most + side_);
   furthest_ = most + side_ + margin_ + reach;
@@ -49,8 +49,8 @@ ClearanceRaster::ClearanceRaster(const Task& task, const Bounds& box, double mos
   }
   const double length = body.rear + body.front;
   const double inner = std::min(body.half_width, length / 2);
-  const double most_apart = spacing * inner;
-  const int gaps = std::max(1, static_cast<int>(std::ceil((length - 2 * inner) / most_apart)));
+  const double max_apart = spacing * inner;
+  const int gaps = std::max(1, static_cast<int>(std::ceil((length - 2 * inner) / max_apart)));
   const double apart = (length - 2 * inner) / gaps;
   const double radius = (inner + std::hypot(inner, apart / 2)) / 2;
   for (int i = 0; i <= gaps; ++i) {

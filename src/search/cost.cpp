@@ -18,10 +18,10 @@ namespace {
 // cost of a metre].
 constexpr double samples_of_search = 2;
 constexpr double fewest_samples_of_answer = 8;
-constexpr double most_samples_of_answer = 64;
+constexpr double max_samples_of_answer = 64;
 constexpr double agreement = 1e-4;
-constexpr double most_samples_of_search_at_path = 2e4;  // Samples of a path, whatever its length.
-constexpr double most_samples_of_answer_at_path = 1e6;
+constexpr double max_samples_of_search_at_path = 2e4;  // Samples of a path, whatever its length.
+constexpr double max_samples_of_answer_at_path = 1e6;
 // At a kink both rules can be equally wrong and agree. The error shrinks with the parts.
 constexpr double fewest_samples_of_answer_at_path = 256;
 // Metres that a point of the body usually moves for each metre driven. Bodies long for their
@@ -84,14 +84,14 @@ class Steps {
     const Segment& segment = sampled_.segment;
     const double way = driven - driven_;
     const Segment arc{curvature_at(segment, driven_ + way / 2), std::copysign(way, segment.length)};
-    const bool is_like_it = std::abs(segment.curvature_rate) * way * way * way < 12 * most_off;
+    const bool is_like_it = std::abs(segment.curvature_rate) * way * way * way < 12 * max_error;
     pose_ = advance(pose_, is_like_it ? arc : part_of(segment, driven_, driven));
     driven_ = driven;
     return sampled_.task.checker->clearance(pose_, most, enough);
   }
 
  private:
-  static constexpr double most_off = 1e-3;  // Largest error of a pose [m].
+  static constexpr double max_error = 1e-3;  // Largest error of a pose [m].
 
   const SampledSegment& sampled_;
   LocalPose pose_;
@@ -133,7 +133,7 @@ class ExactNearness {
       : sampled_(sampled),
         distance_(distance),
         most_(most),
-        least_(most * fewest_samples_of_answer / most_samples_of_answer),
+        least_(most * fewest_samples_of_answer / max_samples_of_answer),
         tolerance_(tolerance) {}
 
   [[nodiscard]] double integral() const {
@@ -187,7 +187,7 @@ double exact_nearness(const SampledSegment& sampled, const CostRule& rule, doubl
   const double slower = std::max(1.0, sampled.swing() / usual_swing);
   const double usual = rule.clearance_distance / fewest_samples_of_answer / slower;
   const double most = 4 * std::max(std::min(usual, whole / fewest_samples_of_answer_at_path),
-                                   whole / most_samples_of_answer_at_path);
+                                   whole / max_samples_of_answer_at_path);
   return ExactNearness(sampled, rule.clearance_distance, most,
                        agreement / std::max(1.0, rule.clearance_weight))
       .integral();
@@ -285,7 +285,7 @@ double rig_clearance_cost(const Task& task, const CostRule& rule, const Local<Ri
   if (rule.clearance_weight == 0.0) return 0.0;
   const double distance = rule.clearance_distance;
   const double whole = length(segments);
-  const SamplingSteps steps{distance / samples_of_search, whole / most_samples_of_search_at_path};
+  const SamplingSteps steps{distance / samples_of_search, whole / max_samples_of_search_at_path};
   double sum = 0.0;
   RigState state = from;
   for (const Segment& segment : segments) {

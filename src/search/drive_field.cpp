@@ -14,7 +14,7 @@ namespace {
 // Length of a straight step [cells]; long enough to leave its cell.
 constexpr double straight_cells = 1.5;
 constexpr double bucket = 0.02;  // Range of ranks in a bucket [turning radii].
-constexpr double most_buckets = 8192.0;
+constexpr double max_buckets = 8192.0;
 constexpr float sure_steps = 0.3F;     // Clearance above which a step is free [step lengths].
 constexpr float sure_fineness = 4.0F;  // Added to that clearance [errors of the raster].
 constexpr float patience = 2.0F;  // Increase of a rank after which a node waits again [buckets].
@@ -38,7 +38,7 @@ DriveField::DriveField(Connector& connector, ClearanceRaster& raster, const Boun
   const CostRule& rule = connector.rule();
   cells_of_metre_ = static_cast<float>(1 / cell);
   buckets_of_metre_ = static_cast<float>(
-      std::min(1 / (bucket * radius), most_buckets / (most * options.greediness)));
+      std::min(1 / (bucket * radius), max_buckets / (most * options.greediness)));
   columns_ = static_cast<std::int64_t>((box.x_max - box.x_min) / cell) + 1;
   rows_ = static_cast<std::int64_t>((box.y_max - box.y_min) / cell) + 1;
   gear_change_ = static_cast<float>(rule.gear_change_cost);

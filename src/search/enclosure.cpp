@@ -11,11 +11,11 @@ namespace {
 // Cell of the first lattice [disc radii]; no wall is too thin for it.
 constexpr double coarsest = 0.5;
 constexpr double finest = 1.0 / 64;  // Cell of the last lattice [disc radii].
-constexpr double most_cells = 1e8;   // Cells along a side of a lattice.
+constexpr double max_cells = 1e8;    // Cells along a side of a lattice.
 constexpr double slack = 1e-5;       // Slack of distances and bounds [m]; larger than the judge's.
 constexpr int work_of_step = 128;    // Work of one call: runs, and obstacles looked at.
 // Obstacles looked at on one lattice; takes about 100 MB.
-constexpr std::int64_t most_looks = 10'000'000;
+constexpr std::int64_t max_looks = 10'000'000;
 
 /// Bounding box of two boxes.
 Bounds hull(const Bounds& a, const Bounds& b) {
@@ -59,7 +59,7 @@ bool Enclosure::next_lattice() {
   do {
     side_ /= 2;
     const double near = disc_ - side_ * std::sqrt(0.5) - slack;
-    if (side_ < finest * disc_ || !(near > 0) || !(extent < most_cells * side_)) return false;
+    if (side_ < finest * disc_ || !(near > 0) || !(extent < max_cells * side_)) return false;
     rows_ = OpenRows(task_, box_, side_, near);
     owners_.clear();
   } while (!begin(start) || !begin(goal));
@@ -115,7 +115,7 @@ bool Enclosure::advance(End end) {
 }
 
 bool Enclosure::step() {
-  if (rows_.looks() > most_looks) side_ = 0.0;
+  if (rows_.looks() > max_looks) side_ = 0.0;
   if (side_ == 0.0 || is_proven_) return false;
   const std::int64_t last = floods_[start].work + floods_[goal].work + work_of_step;
   while (floods_[start].work + floods_[goal].work < last) {

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::int32_t closed_cell = -1;
 constexpr std::int32_t unknown_cell = std::numeric_limits<std::int32_t>::max();
-constexpr std::int64_t whole = 64;        // Greediness is a multiple of 1 / 64.
-constexpr std::size_t most_tiles = 8192;  // A tile has 32 x 32 cells and takes 4 KB.
+constexpr std::int64_t whole = 64;       // Greediness is a multiple of 1 / 64.
+constexpr std::size_t max_tiles = 8192;  // A tile has 32 x 32 cells and takes 4 KB.
 constexpr int settled_at_once = 64;
 
 /// Index of a world's polygons. It is kept with the world, as many plans share it.
@@ -158,7 +158,7 @@ void FarGuide::settle(const RasterCell& cell, std::int32_t cost) {
 
 bool FarGuide::step() {
   for (int settled = 0; settled < settled_at_once; ++settled) {
-    if (reached_ || open_.empty() || tiles_.size() > most_tiles) return false;
+    if (reached_ || open_.empty() || tiles_.size() > max_tiles) return false;
     const auto [rank, cell] = open_.top();
     open_.pop();
     const std::int32_t cost = cost_at(cell);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double coarsest = 1.0;        // Cell of the first lattice [disc radii].
 constexpr double finest = 1.0 / 32;     // Cell of the last lattice [disc radii].
-constexpr double most_cells = 4000.0;   // Cells along the longer side of a lattice.
+constexpr double max_cells = 4000.0;    // Cells along the longer side of a lattice.
 constexpr double rounding_near = 1e-6;  // Slack of distances to obstacles [m].
 constexpr int work_of_step = 32;        // Intervals expanded by one call.
 
@@ -56,7 +56,7 @@ Geodesic::Geodesic(const Task& task, double longest) : task_(task), longest_(lon
 bool Geodesic::next_lattice() {
   side_ /= 2;
   const double extent = std::max(box_.x_max - box_.x_min, box_.y_max - box_.y_min);
-  if (side_ < finest * disc_ || side_ * most_cells < extent) return false;
+  if (side_ < finest * disc_ || side_ * max_cells < extent) return false;
   const double near = disc_ - side_ * std::sqrt(0.5) - rounding_near;
   if (!(near > 0)) return false;
   OpenRows lattice(task_, box_, side_, near);

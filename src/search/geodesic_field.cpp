@@ -11,7 +11,7 @@
 namespace vandplan::search {
 namespace {
 
-constexpr std::size_t most_kept = 400000;
+constexpr std::size_t max_kept = 400000;
 
 std::int64_t key_of(const TautWays::RunId& run) {
   return static_cast<std::int64_t>(run.row) << 32 | run.index;
@@ -36,7 +36,7 @@ GeodesicField::GeodesicField(OpenRows lattice, const Point& start, const Point& 
 bool GeodesicField::go_on(std::int64_t work) {
   while (ways_.work() < work) {
     const std::optional<TautWays::Node> node = ways_.take();
-    is_given_up_ = ways_.is_full() || count_ > most_kept;
+    is_given_up_ = ways_.is_full() || count_ > max_kept;
     if (!node || is_given_up_) return false;
     if (!ways_.is_current(*node)) continue;
     into_[key_of(node->into)].push_back(*node);

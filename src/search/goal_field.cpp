@@ -16,7 +16,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double fineness = 3.0;        // Cells along a radius of the disc.
-constexpr double most_cells = 4e6;      // Cells of a lattice, at most.
+constexpr double max_cells = 4e6;       // Cells of a lattice, at most.
 constexpr double rounding_near = 1e-6;  // Slack of distances to obstacles [m].
 constexpr double rounding = 1e-9;       // Relative rounding error of sums of steps.
 constexpr int work_of_call = 16384;     // Corners settled by one call.
@@ -53,8 +53,8 @@ GoalField::GoalField(const Task& task, FieldKind kind)
   const double width = bounds.x_max - bounds.x_min + 2 * beside;
   const double height = bounds.y_max - bounds.y_min + 2 * beside;
   const double radius = disc_.radius + task.least_margin;
-  side_ = std::max({radius / fineness, std::sqrt(width * height / most_cells),
-                    std::max(width, height) / most_cells});
+  side_ = std::max({radius / fineness, std::sqrt(width * height / max_cells),
+                    std::max(width, height) / max_cells});
   // The goal is a corner, so its distance is not rounded.
   const Point goal = centre_of(disc_, task.goal);
   const auto cells_to = [&](double length) {

@@ -10,12 +10,12 @@
 namespace vandplan::search {
 namespace {
 
-constexpr double most_cells = 40000.0;
+constexpr double max_cells = 40000.0;
 constexpr std::int32_t blocked = -1;
 constexpr std::int32_t unreached = std::numeric_limits<std::int32_t>::max();
-constexpr double most_weight = 3.0;  // Largest weight of the price; a guide needs no more.
+constexpr double max_weight = 3.0;  // Largest weight of the price; a guide needs no more.
 // Largest distance of the price [cells]; a guide needs no more.
-constexpr double most_distance = 8.0;
+constexpr double max_distance = 8.0;
 constexpr std::size_t grid_buckets = 16;         // More than a step raises a rank, 7 + 7.
 constexpr std::size_t priced_grid_buckets = 64;  // More than a priced step raises a rank, 28 + 7.
 constexpr std::int64_t looks_of_step = 250'000;  // Cells beside sides that one call looks at.
@@ -28,8 +28,8 @@ constexpr double detour = 1.1;
 double GridDistance::side_of_cells(const Task& task, const Bounds& box, double side) {
   const double width = box.x_max - box.x_min;
   const double height = box.y_max - box.y_min;
-  return std::max({side * task.vehicle.width, std::sqrt(width * height / most_cells),
-                   std::max(width, height) / most_cells});
+  return std::max({side * task.vehicle.width, std::sqrt(width * height / max_cells),
+                   std::max(width, height) / max_cells});
 }
 
 GridDistance::GridDistance(const Task& task, const Bounds& box, double side, const Pose& target,
@@ -38,7 +38,7 @@ GridDistance::GridDistance(const Task& task, const Bounds& box, double side, con
       map_(ground_->map ? task.checker.get() : nullptr),
       box_(box),
       target_{target.x, target.y},
-      price_{std::min(price.weight, most_weight), price.distance},
+      price_{std::min(price.weight, max_weight), price.distance},
       disc_(inner_radius(task.vehicle) + task.least_margin),
       buckets_(is_priced() ? priced_grid_buckets : grid_buckets),
       last_(unreached) {
@@ -49,7 +49,7 @@ GridDistance::GridDistance(const Task& task, const Bounds& box, double side, con
   rows_ = static_cast<std::int32_t>(height / side_) + 3;
   costs_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), unreached);
   if (is_priced()) {
-    price_.distance = std::min(price_.distance, most_distance * side_);
+    price_.distance = std::min(price_.distance, max_distance * side_);
     gaps_.assign(costs_.size(), std::numeric_limits<float>::infinity());
     lengths_.assign(costs_.size(), 0);
   }

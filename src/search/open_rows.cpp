@@ -15,9 +15,9 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 // Slack of distances from the map [m]; relative slack of a stretch.
 constexpr double rounding = 1e-9;
-constexpr std::size_t most_bands = 1024;
-constexpr double most_bands_of_side = 4;  // Mean number of bands that a side reaches into, at most.
-constexpr double most_stretch = 1.02;     // Stretch that is accepted for a wider disc.
+constexpr std::size_t max_bands = 1024;
+constexpr double max_bands_of_side = 4;  // Mean number of bands that a side reaches into, at most.
+constexpr double max_stretch = 1.02;     // Stretch that is accepted for a wider disc.
 
 /// Extends [low, high] by the places on the line at height `y` within `near` of a point.
 void add_disc(const Point& p, double y, double near, double& low, double& high) {
@@ -94,7 +94,7 @@ double stretch_of(const Disc& disc, double turning_radius) noexcept {
 Disc bound_disc(const Vehicle& vehicle) {
   const Disc widest = widest_disc(vehicle);
   const double inner = inner_radius(vehicle);
-  const bool is_near = stretch_of(widest, vehicle.min_turning_radius) < most_stretch;
+  const bool is_near = stretch_of(widest, vehicle.min_turning_radius) < max_stretch;
   return is_near || inner == 0.0 ? widest : Disc{0.0, inner};
 }
 
@@ -152,8 +152,8 @@ void OpenRows::sort_into_bands() {
       sum += std::max(0.0, std::min(side.y_max, box_.y_max) - std::max(side.y_min, box_.y_min));
     }
     const double count = static_cast<double>(sides_.size());
-    const double most = sum > 0.0 ? most_bands_of_side * count * height / sum : count;
-    bands_ = static_cast<std::size_t>(std::clamp(std::min(most, count / 8), 1.0, 0.0 + most_bands));
+    const double most = sum > 0.0 ? max_bands_of_side * count * height / sum : count;
+    bands_ = static_cast<std::size_t>(std::clamp(std::min(most, count / 8), 1.0, 0.0 + max_bands));
   }
   band_begins_.assign(bands_ + 1, 0);
   for (const Side& side : sides_) {

@@ -10,8 +10,8 @@ namespace {
 
 // Mean number of polygons in a square, if they lay evenly.
 constexpr double polygons_of_square = 2.0;
-constexpr double most_squares = 1e6;
-constexpr std::int32_t most_columns = 1 << 15;
+constexpr double max_squares = 1e6;
+constexpr std::int32_t max_columns = 1 << 15;
 constexpr std::int64_t squares_of_large = 64;
 
 }  // namespace
@@ -29,8 +29,8 @@ PolygonSquares::PolygonSquares(std::span<const Polygon> polygons) : polygons_(po
   const double width = std::max(extent_.x_max - extent_.x_min, 1e-3);
   const double height = std::max(extent_.y_max - extent_.y_min, 1e-3);
   const double squares =
-      std::clamp(static_cast<double>(polygons.size()) / polygons_of_square, 1.0, most_squares);
-  side_ = std::max(std::sqrt(width * height / squares), std::max(width, height) / most_columns);
+      std::clamp(static_cast<double>(polygons.size()) / polygons_of_square, 1.0, max_squares);
+  side_ = std::max(std::sqrt(width * height / squares), std::max(width, height) / max_columns);
   columns_ = static_cast<std::int32_t>(width / side_) + 1;
   rows_ = static_cast<std::int32_t>(height / side_) + 1;
   begins_.assign(index_of(0, rows_) + 1, 0);

@@ -22,11 +22,11 @@ constexpr double angle_slack = 2e-6;  // Slack of headings [rad]; larger than th
 constexpr double curvature_slack = 1e-9;  // Relative slack of the curvature, as the judge allows.
 // Headings for a reach of the body as long as a cell's side.
 constexpr double headings_of_cell = 4.0;
-constexpr double most_headings = 4096.0;
-constexpr double most_cells = 2e6;
+constexpr double max_headings = 4096.0;
+constexpr double max_cells = 2e6;
 constexpr int parts = 4;  // Parts of a cell's side; each part is a cell for ways around.
 constexpr std::int32_t cells_apart = 2;  // Distance of the places that show how wide the ways are.
-constexpr std::size_t most_boxes = 16'000'000;
+constexpr std::size_t max_boxes = 16'000'000;
 
 /// Core of a vehicle: its body and wheels without a border. Removes `along` at front and rear, and
 /// `across` at each side; the core's rear axle is `along` ahead of the vehicle's.
@@ -56,14 +56,14 @@ PoseBoxes::PoseBoxes(const Task& task, double side, double longest, GearSign onl
   const double near = disc_.radius + task.least_margin - part * std::sqrt(0.5) - slack;
   const double cells = (box_.x_max - box_.x_min) * (box_.y_max - box_.y_min) / (side * side);
   const double extent = std::max(box_.x_max - box_.x_min, box_.y_max - box_.y_min);
-  is_usable_ = near > 0 && cells < most_cells && extent < most_cells * side;
+  is_usable_ = near > 0 && cells < max_cells && extent < max_cells * side;
   if (!is_usable_) return;
 
   const Footprint body = footprint(task.vehicle);
   const double length = std::max(body.front - disc_.ahead, body.rear + disc_.ahead);
   const double reach = std::max(length, task.vehicle.min_turning_radius);
   headings_ =
-      static_cast<Id>(std::ceil(std::min(most_headings, 8 + headings_of_cell * reach / side)));
+      static_cast<Id>(std::ceil(std::min(max_headings, 8 + headings_of_cell * reach / side)));
   half_turn_ = std::numbers::pi / headings_ + angle_slack;
   const double half_diagonal = side * std::sqrt(0.5) + slack;
   shift_ = half_diagonal + std::abs(disc_.ahead) * half_turn_;
@@ -99,7 +99,7 @@ bool PoseBoxes::prepare(std::int64_t work) {
   return true;
 }
 
-bool PoseBoxes::is_full() const noexcept { return length_bounds_.size() > most_boxes; }
+bool PoseBoxes::is_full() const noexcept { return length_bounds_.size() > max_boxes; }
 
 /// Range of the disc's way to the places of a part, in metres of the rear axle.
 PoseBoxes::Range PoseBoxes::way(GeodesicField& field, const Point& part) const {

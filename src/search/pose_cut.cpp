@@ -22,7 +22,7 @@ constexpr double turns_near = 3.0;  // Range of a cut, where it improves bounds 
 // Least distance of a cut from start and goal [turning radii].
 constexpr double turns_of_end = 1.0;
 constexpr double cells_of_place = 4.0;  // Width of a bin of distances [cells].
-constexpr std::size_t most_boxes = 8192;
+constexpr std::size_t max_boxes = 8192;
 constexpr PoseBoxes::Id boxes_of_group = 8;
 constexpr int groups_of_step = 4;
 
@@ -103,7 +103,7 @@ void PoseCut::add_group(const PoseBoxes::Crossing& cell, PoseBoxes::Id heading) 
   groups_.push_back(group);
   group_poses_.add(seen(boxes_.between(first, end - 1)));
   from_groups_.resize(groups_.size());
-  is_usable_ = needs_.size() <= most_boxes;
+  is_usable_ = needs_.size() <= max_boxes;
 }
 
 bool PoseCut::is_near(PoseBoxes::Id id) const {

@@ -14,14 +14,14 @@
 namespace vandplan::search {
 namespace {
 
-constexpr std::size_t most_headings = 1024;
-constexpr std::int32_t most_steps = 10'000;
+constexpr std::size_t max_headings = 1024;
+constexpr std::int32_t max_steps = 10'000;
 constexpr double largest_step = 1e6;  // [m]
 
 void check_headings(const std::vector<double>& headings) {
-  if (headings.empty() || headings.size() > most_headings) {
+  if (headings.empty() || headings.size() > max_headings) {
     throw InputError("headings", "are " + std::to_string(headings.size()) + ", expected 1 to " +
-                                     std::to_string(most_headings));
+                                     std::to_string(max_headings));
   }
   std::vector<double> sorted = headings;
   std::ranges::sort(sorted);
@@ -39,8 +39,8 @@ void check_primitive(const Primitive& primitive, double step, const std::vector<
   if (!is_heading(primitive.from) || !is_heading(primitive.to)) {
     throw InputError("", "has a heading that there is not");
   }
-  if (std::max(std::abs(primitive.dx), std::abs(primitive.dy)) > most_steps) {
-    throw InputError("", "leads further than " + std::to_string(most_steps) + " steps");
+  if (std::max(std::abs(primitive.dx), std::abs(primitive.dy)) > max_steps) {
+    throw InputError("", "leads further than " + std::to_string(max_steps) + " steps");
   }
   if (primitive.piece.count == 0) throw InputError("", "has no segments");
   const double heading = headings[static_cast<std::size_t>(primitive.from)];

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int cells_per_work = 16;  // Cells whose look-up takes as long as a node.
-constexpr std::size_t most_nodes = 400000;
+constexpr std::size_t max_nodes = 400000;
 
 double distance(const Point& p, const Point& q) { return std::hypot(p.x - q.x, p.y - q.y); }
 
@@ -51,7 +51,7 @@ std::optional<TautWays::Node> TautWays::take() {
   return node;
 }
 
-bool TautWays::is_full() const noexcept { return open_.size() > most_nodes; }
+bool TautWays::is_full() const noexcept { return open_.size() > max_nodes; }
 
 bool TautWays::is_current(const Node& node) {
   return node.cost == 0.0 || reaches(node.root, node.cost);

@@ -9,8 +9,8 @@
 namespace vandplan::anytime {
 namespace {
 
-constexpr std::size_t most_waiting = 6;
-constexpr std::size_t most_challenging = 4;
+constexpr std::size_t max_waiting = 6;
+constexpr std::size_t max_challenging = 4;
 /// Trials added when doubts are compared, so that the cost of new drives counts.
 constexpr std::int64_t grace = 30;
 constexpr double hopeless_drive = 6.0;  // doubt above which a challenger is dropped
@@ -41,7 +41,7 @@ void Bender::offer(std::vector<Segment> segments) {
 void Bender::wait(Waiting route) {
   const auto is_dearer = [](const Waiting& a, const Waiting& b) { return a.cost > b.cost; };
   waiting_.insert(std::ranges::upper_bound(waiting_, route, is_dearer), std::move(route));
-  if (waiting_.size() > most_waiting) waiting_.erase(waiting_.begin());
+  if (waiting_.size() > max_waiting) waiting_.erase(waiting_.begin());
 }
 
 std::int64_t Bender::checks() const {
@@ -81,7 +81,7 @@ bool Bender::challenge(std::size_t i) {
 }
 
 void Bender::add(std::span<const Segment> drive) {
-  if (challengers_.size() == most_challenging) {
+  if (challengers_.size() == max_challenging) {
     std::size_t worst = 0;
     for (std::size_t i = 1; i < challengers_.size(); ++i) {
       if (doubt(challengers_[i], grace) > doubt(challengers_[worst], grace)) worst = i;

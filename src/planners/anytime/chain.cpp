@@ -13,7 +13,7 @@ namespace {
 
 constexpr double curvature_rounding = 1e-12;  // relative rounding of curvatures and rates
 constexpr double sideways = 0.3;              // share of repairs without a gain that are kept
-constexpr std::size_t most_spanned = 6;       // most legs at an end that one piece replaces
+constexpr std::size_t max_spanned_legs = 6;   // most legs at an end that one piece replaces
 constexpr int repairs = 12;                   // trials to free a route along a path
 
 }  // namespace
@@ -207,7 +207,7 @@ void Chain::span_legs(std::size_t first, std::size_t last) {
 
 // Replaces several legs at each end of the chain by one piece, where that is free and better.
 void Chain::leave_out() {
-  const auto most = [&] { return std::min(most_spanned, legs_.size()); };
+  const auto most = [&] { return std::min(max_spanned_legs, legs_.size()); };
   for (std::size_t count = 2; count <= most(); ++count) span_legs(0, count);
   for (std::size_t count = 2; count <= most(); ++count) {
     span_legs(legs_.size() - count, legs_.size());

@@ -16,7 +16,7 @@ namespace {
 constexpr double sharpnesses[] = {0.5, 0.25, 0.7, 1.0};
 
 constexpr double worth_a_challenge = 1.3;  // a challenger may cost so many times the cheapest route
-constexpr std::size_t most_challengers = 32;
+constexpr std::size_t max_challengers = 32;
 constexpr int bending_period = 4;                  // one of so many trials bends
 constexpr std::uint64_t bending_seeds = 1U << 30;  // seeds above those of shortened routes
 constexpr double hopeless_challenge = 20;  // relative excess times trials that ends a challenge
@@ -60,7 +60,7 @@ bool CheapestDrive::offer(Route route) {
     for (Bender& bender : benders_) bender.offer(route);
   }
   if (route.cost >= cost_) {
-    if (route.cost < worth_a_challenge * cost_ && challengers_.size() < most_challengers) {
+    if (route.cost < worth_a_challenge * cost_ && challengers_.size() < max_challengers) {
       challengers_.push_back(std::move(route));
     }
     return false;

@@ -21,9 +21,9 @@ constexpr std::array<LatticeOptions, 4> detour_searches = {
     LatticeOptions{48, 0.125, 1.5}};
 constexpr std::int64_t least_expansions = 256;  // expansions of the smallest search
 constexpr std::uint64_t doublings = 4;          // number of sizes of a search, each twice as large
-constexpr double most_stretch = 60.0;           // largest length of a stretch [turning radii]
+constexpr double max_stretch = 60.0;            // largest length of a stretch [turning radii]
 constexpr double grid_slack = 1.1;       // ways on the grid may be so many times as long as paths
-constexpr int most_trials = 600;         // most trials to shorten a way
+constexpr int max_trials = 600;          // most trials to shorten a way
 constexpr double hopeless_detour = 8.0;  // relative excess times trials that ends shortening
 constexpr double least_gain_of_detour = 1e-3;  // least gain of a detour [turning radii]
 
@@ -63,7 +63,7 @@ std::int64_t Detours::checks() const { return checks_ + (connector_ ? connector_
 void Detours::choose() {
   const double whole = base_.length();
   const double least = std::min(whole, least_stretch * task_.vehicle.min_turning_radius);
-  const double most = std::min(whole, most_stretch * task_.vehicle.min_turning_radius);
+  const double most = std::min(whole, max_stretch * task_.vehicle.min_turning_radius);
   const double length = least * std::pow(most / least, uniform01(rng_));
   const double middle = uniform(0.0, whole, rng_);
   double begin = nearest_cut(task_, base_, std::max(middle - length / 2, 0.0));
@@ -141,7 +141,7 @@ bool Detours::patch() {
   const double least = least_gain_of_detour * task_.vehicle.min_turning_radius;
   if (patch_->cost() > old_.cost - least) {
     const double excess = patch_->cost() / old_.cost - 1.0;
-    if (patch_->is_stalled() || trials_ == most_trials || excess * trials_ > hopeless_detour) end();
+    if (patch_->is_stalled() || trials_ == max_trials || excess * trials_ > hopeless_detour) end();
     return false;
   }
   put_in_place(patch_->route());

@@ -15,10 +15,10 @@ namespace {
 using search::Driven, search::gear_of;
 
 /// Stages, counted from the last, where a part may begin.
-constexpr std::size_t most_stages_back = 3;
-constexpr std::size_t most_cuts_ahead = 4;  // cuts ahead where a part may end
-constexpr int most_idle_trials = 100;       // trials without a gain that end shaking
-constexpr std::size_t most_beside = 4;  // commands on either side of a blocked one that are changed
+constexpr std::size_t max_stages_back = 3;
+constexpr std::size_t max_cuts_ahead = 4;  // cuts ahead where a part may end
+constexpr int max_idle_trials = 100;       // trials without a gain that end shaking
+constexpr std::size_t max_beside = 4;  // commands on either side of a blocked one that are changed
 constexpr double never = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -114,7 +114,7 @@ void Follower::take(const Part& part) {
 
 /// Drives to the next cut, or to a later one if that is blocked. False if no cut was reached.
 bool Follower::go_on() {
-  if (tried_ == most_cuts_ahead || next_ + tried_ == cuts_.size()) {
+  if (tried_ == max_cuts_ahead || next_ + tried_ == cuts_.size()) {
     if (nearly_) {
       take(*nearly_);
       return true;
@@ -122,7 +122,7 @@ bool Follower::go_on() {
     if (next_ + tried_ == cuts_.size()) return false;
   }
   const std::size_t to = next_ + tried_++;
-  for (std::size_t back = 1; back <= std::min(most_stages_back, stages_.size()); ++back) {
+  for (std::size_t back = 1; back <= std::min(max_stages_back, stages_.size()); ++back) {
     Part part{stages_[stages_.size() - back], to, {}, 0.0};
     if (!lead(part)) continue;
     part.blocked = blocked(part.commands, part.from.pose, part.from.driven,
@@ -156,8 +156,8 @@ void Follower::measure(std::size_t first, std::size_t last) {
 Follower::Window Follower::any_window() {
   std::size_t middle = rng_() % drive_.size();
   while (blocked_[middle] == 0.0) middle = (middle + 1) % drive_.size();
-  const std::size_t before = 1 + rng_() % most_beside;
-  const std::size_t after = 1 + rng_() % most_beside;
+  const std::size_t before = 1 + rng_() % max_beside;
+  const std::size_t after = 1 + rng_() % max_beside;
   return {middle - std::min(middle, before), std::min(middle + 1 + after, drive_.size())};
 }
 
@@ -199,7 +199,7 @@ bool Follower::step() {
     measure(0, drive_.size());
     return true;
   }
-  if (left_ == 0.0 || idle_ == most_idle_trials) return false;
+  if (left_ == 0.0 || idle_ == max_idle_trials) return false;
   ++idle_;
   shake();
   return true;

@@ -45,7 +45,7 @@ Lattice::Lattice(const LocalPose& root, const LocalPose& target, const Gears& ge
       cutoff_(std::numeric_limits<double>::infinity()),
       step_length_(2 * std::numbers::pi / options.headings * connector.radius()),
       cell_(options.cell * connector.radius()),
-      locks_(locks_for(connector, step_length_, options.most_locks)),
+      locks_(locks_for(connector, step_length_, options.max_locks)),
       closed_(1024, 0) {
   route_.start = root;
   open({root, {std::isnan(gears.before.curvature) ? 0.0 : gears.before.curvature, 0.0}, 0.0, -1});

@@ -33,7 +33,7 @@ struct LatticeOptions {
   /// Largest possible number of locks to either side of straight.
   static constexpr int all_locks = 8;
   /// Most locks to either side of straight where the curvature is continuous, 1 to `all_locks`.
-  int most_locks = all_locks;
+  int max_locks = all_locks;
 };
 
 /// One search from `root` to `target`. `gears`: what is driven before and after the route.

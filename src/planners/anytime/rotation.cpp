@@ -29,7 +29,7 @@ constexpr std::array<Style, 10> styles = {{{{12, 0.5, 2.0}, 1.0, 1.15},
 constexpr std::size_t first_joined = 6;      // styles that take turns from the beginning
 constexpr std::int64_t first_turn = 256;     // expansions of a first turn
 constexpr std::int64_t first_of_all = 1024;  // expansions of the coarsest search's first turn
-constexpr std::size_t most_nodes = 100'000;  // nodes of one search
+constexpr std::size_t max_nodes = 100'000;   // nodes of one search
 
 /// The rule with another price of gear changes, as in `Style`.
 CostRule priced(CostRule rule, double price) {
@@ -86,7 +86,7 @@ bool Rotation::step(double cutoff) {
   --left_;
   Search& search = *searches_[current_];
   Lattice& lattice = *search.lattice;
-  if (lattice.is_exhausted() || lattice.size() > most_nodes) {
+  if (lattice.is_exhausted() || lattice.size() > max_nodes) {
     search.lattice.reset();
     search.done = true;
     left_ = 0;

@@ -14,7 +14,7 @@ namespace {
 
 /// A cost below this share of the noted cost has clearly fallen.
 constexpr double a_good_deal = 0.999;
-constexpr int most_idle_rounds = 128;     // rounds in a row without work that end a run
+constexpr int max_idle_rounds = 128;      // rounds in a row without work that end a run
 constexpr std::int64_t unsettled = 4000;  // iterations before a cost counts as settled
 
 }  // namespace
@@ -221,11 +221,12 @@ void Run::round() {
 // Whether a run with a route was idle for many rounds; some workers wait for later rounds. With a
 // time limit a round of proofs is not idle. Without a limit it is, as iterations would never end
 // it.
-bool Run::is_exhausted() const { return has_path() && idle_rounds_ >= most_idle_rounds; }
+bool Run::is_exhausted() const { return has_path() && idle_rounds_ >= max_idle_rounds; }
 
 bool Run::advance() {
-  if (is_optimal() || is_good_enough() || !proven().walled_in.empty() || is_exhausted())
-    return false;
+  const bool is_over =
+      is_optimal() || is_good_enough() || !proven().walled_in.empty() || is_exhausted();
+  if (is_over) return false;
   end_ = budget_.exhausted();
   if (!end_) round();
   return !end_;

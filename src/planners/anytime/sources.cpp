@@ -21,7 +21,7 @@ constexpr std::array<LatticeOptions, 8> searches = {
     LatticeOptions{36, 0.17, 1.2},   LatticeOptions{48, 0.125, 2.0},
     LatticeOptions{96, 0.06, 2.0},   LatticeOptions{192, 0.03, 3.0},
     LatticeOptions{384, 0.015, 3.0}, LatticeOptions{768, 0.0075, 3.0}};
-constexpr std::size_t most_lattice_nodes = 300'000;  // nodes of one search: some 30 MB
+constexpr std::size_t max_lattice_nodes = 300'000;  // nodes of one search: some 30 MB
 constexpr double first_guide_side = 1.0;  // side of the first guide's cells [vehicle widths]
 constexpr double fine_guide_side = 0.5;   // side of cells after the first search [vehicle widths]
 constexpr double last_guide_side = 0.25;  // side of the finest guide's cells [vehicle widths]
@@ -106,7 +106,7 @@ void Ladder::next_search() {
   }
   Connector& connector = minds_prices_ ? by_price_ : by_length_;
   LatticeOptions options = goes_far() ? far_searches[level_].lattice : searches[level_];
-  options.most_locks = level_ < last_coarse_level ? coarse_locks : fine_locks;
+  options.max_locks = level_ < last_coarse_level ? coarse_locks : fine_locks;
   lattice_.emplace(from_, to_, gears_from(connector.rule()), options, *guide_, connector);
   const bool is_new_guide = guide_level_ == level_;
   if (goes_far() && is_new_guide && guide_->is_connected()) {
@@ -134,7 +134,7 @@ bool Ladder::step() {
     lattice_.reset();
     level_ -= std::min<std::size_t>(level_, 1);
   }
-  if (!lattice_ || is_done_ || lattice_->is_exhausted() || lattice_->size() > most_lattice_nodes) {
+  if (!lattice_ || is_done_ || lattice_->is_exhausted() || lattice_->size() > max_lattice_nodes) {
     if (needs_next_guide()) {
       next_guide();
       return false;

@@ -13,12 +13,12 @@ namespace vandplan::anytime {
 namespace {
 
 constexpr LatticeOptions leg_search = {12, 0.5, 2.0};
-constexpr int most_expansions = 256;  // expansions for one leg
-constexpr double least_apart = 4.0;   // least distance of bends [turning radii]
+constexpr int max_expansions = 256;  // expansions for one leg
+constexpr double least_apart = 4.0;  // least distance of bends [turning radii]
 /// Most cost of a leg: a factor on the straight distance, and an addition [turning radii].
 constexpr double leg_factor = 1.5;
 constexpr double leg_slack = 4.0;
-constexpr int most_left_out = 4;  // corners left out in a row, at most
+constexpr int max_left_out = 4;  // corners left out in a row, at most
 
 /// Number of steps of the way that are about as long as a distance.
 std::size_t places_in(double distance, std::span<const Point> way) {
@@ -146,9 +146,9 @@ bool Strung::search_leg() {
     reach_corner();
     return true;
   }
-  if (++expansions_ < most_expansions && !lattice_->is_exhausted()) return true;
+  if (++expansions_ < max_expansions && !lattice_->is_exhausted()) return true;
   lattice_.reset();
-  if (next_ + 1 == corners_.size() || left_out_ == most_left_out) return false;
+  if (next_ + 1 == corners_.size() || left_out_ == max_left_out) return false;
   ++next_;
   ++left_out_;
   return true;

@@ -21,12 +21,12 @@ constexpr double shift = 0.618;  // shift of the cells each time all passes were
 constexpr double excess = 1.1;   // a way may cost so many times the cheapest way of a pass
 /// A way may cost so many times the best route, because ways are crooked.
 constexpr double worth_a_pass = 1.2;
-constexpr int most_routes = 6;                         // routes of one pass
-constexpr std::int64_t most_poses = 200'000;           // poses expanded by the field from the goal
-constexpr std::int64_t most_poses_of_glance = 50'000;  // poses expanded by a glance
-constexpr double most_cells = 1e6;                     // cells of places and headings in one field
-constexpr int poses_of_step = 32;                      // poses expanded in one step
-constexpr int steps_of_preparing = 8;                  // steps of grid and raster in one step
+constexpr int max_routes = 6;                         // routes of one pass
+constexpr std::int64_t max_poses = 200'000;           // poses expanded by the field from the goal
+constexpr std::int64_t max_poses_of_glance = 50'000;  // poses expanded by a glance
+constexpr double max_cells = 1e6;                     // cells of places and headings in one field
+constexpr int poses_of_step = 32;                     // poses expanded in one step
+constexpr int steps_of_preparing = 8;                 // steps of grid and raster in one step
 constexpr double survey_guide_side = 0.5;  // side of a cell of the guide's grid [vehicle widths]
 constexpr double border = 2.0;             // border around the scene [turning radii]
 constexpr double room_of_step = 0.2;       // room that the longest step needs [turning radii]
@@ -78,7 +78,7 @@ void Survey::begin_pass() {
   const std::size_t pass = passes_ - (is_glance() ? 0 : 1);
   options_ = is_glance() ? survey_glance : survey_passes[pass % survey_passes.size()];
   const double area = (box_.x_max - box_.x_min) * (box_.y_max - box_.y_min);
-  const double least_cell = std::sqrt(area * options_.headings / most_cells) / forth_.radius();
+  const double least_cell = std::sqrt(area * options_.headings / max_cells) / forth_.radius();
   options_.cell = std::max(options_.cell, least_cell);
   const std::size_t times_around = pass / survey_passes.size();
   const double shifts = shift * static_cast<double>(times_around);
@@ -121,7 +121,7 @@ bool Survey::go_back() {
     if (meet(id)) return true;
     if (!from_goal_) return false;
   }
-  const std::int64_t most = is_glance() ? most_poses_of_glance : most_poses;
+  const std::int64_t most = is_glance() ? max_poses_of_glance : max_poses;
   if (!from_goal_->is_exhausted() && poses_ <= most) return false;
   if (is_glance()) {
     end();
@@ -211,7 +211,7 @@ bool Survey::lead_through(std::int32_t node) {
   if (!join(head, tail)) return false;
   price(forth_, route_);
   if (!kinds_.is_new(route_, forth_.radius())) return false;
-  if (++routes_ == most_routes) end();
+  if (++routes_ == max_routes) end();
   return true;
 }
 
