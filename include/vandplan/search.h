@@ -194,17 +194,18 @@ using Looks [[deprecated("use ClearanceSampling")]] = ClearanceSampling;
 // ---- Which piece joins two poses, what does it cost, and may it be driven? ----
 
 /// Gears and curvatures before and after a piece.
-struct Gears {
+struct DrivenBeside {
   Driven before = {};  ///< end of what is driven before the piece
   Driven after = {};   ///< begin of what is driven after the piece
 };
+using Gears [[deprecated("use DrivenBeside")]] = DrivenBeside;
 
 /// Terms of a connection that is wanted.
 struct Terms {
   double cost_so_far = 0.0;  ///< cost up to the first pose [m]
   /// Total cost from which on a connection is of no interest [m].
   double cutoff = std::numeric_limits<double>::infinity();
-  Gears gears = {};
+  DrivenBeside beside = {};
 };
 
 /// A free piece with its cost.
@@ -237,18 +238,18 @@ class Connector {
   /// it. If a neighbour is unknown, and at poses on the way, its wheels are straight. None if no
   /// word does so.
   [[nodiscard]] std::optional<Piece> steer(const LocalPose& from, const LocalPose& to,
-                                           const Gears& gears = {},
+                                           const DrivenBeside& beside = {},
                                            double cutoff = std::numeric_limits<double>::infinity());
 
   /// Lower bound of the cost of every path between the poses, with the joints to both gears [m]. On
   /// open ground a path drives forward only, in reverse only, or changes gear. Under a neutral rule
   /// it is the length of the shortest path.
   [[nodiscard]] double least_cost(const LocalPose& from, const LocalPose& to,
-                                  const Gears& gears = {});
+                                  const DrivenBeside& beside = {});
 
   /// Cost of a piece between two others [m], without the surcharge near obstacles. The joint to the
   /// next piece is included, if there is one.
-  [[nodiscard]] double cost(const Piece& piece, const Gears& gears = {}) const;
+  [[nodiscard]] double cost(const Piece& piece, const DrivenBeside& beside = {}) const;
 
   /// Surcharge near obstacles for the segments from a pose [m]; above `cutoff` any larger number.
   [[nodiscard]] double clearance_cost(
@@ -294,10 +295,11 @@ class Connector {
     GearSign gear;     ///< gear in which the piece is driven there; 0: either
   };
 
-  [[nodiscard]] Piece cheapest_word(const LocalPose& from, const LocalPose& to, const Gears& gears,
-                                    const Piece& shortest, double cutoff);
+  [[nodiscard]] Piece cheapest_word(const LocalPose& from, const LocalPose& to,
+                                    const DrivenBeside& beside, const Piece& shortest,
+                                    double cutoff);
   [[nodiscard]] std::optional<Piece> continuous_piece(const LocalPose& from, const LocalPose& to,
-                                                      const Gears& gears, double cutoff);
+                                                      const DrivenBeside& beside, double cutoff);
   void find_ends(const LocalPose& pose, const Driven& beside, std::vector<End>& ends) const;
 
   const Task& task_;

@@ -194,7 +194,7 @@ class HybridAStarSearch {
     return nodes_[static_cast<std::size_t>(id)];
   }
 
-  [[nodiscard]] Gears ends() const { return {connector_.rule().initial_gear, {}}; }
+  [[nodiscard]] DrivenBeside ends() const { return {connector_.rule().initial_gear, {}}; }
 
   [[nodiscard]] double turn() const { return 2 * std::numbers::pi / headings_; }
 

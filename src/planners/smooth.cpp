@@ -90,7 +90,7 @@ class Smoother {
 /// Whether the wheels can follow the old path from start to goal, within rounding, and no obstacle
 /// blocks it.
 bool Smoother::is_drivable(Connector& connector) const {
-  Driven before = gears_at_ends(task_, connector.rule()).before;
+  Driven before = driven_at_ends(task_, connector.rule()).before;
   LocalPose pose(old_.start);
   for (const Segment& segment : old_.segments) {
     if (!anytime::can_drive(connector, segment)) return false;
@@ -99,7 +99,7 @@ bool Smoother::is_drivable(Connector& connector) const {
     before = last_driven(segment);
     pose = advance(pose, segment);
   }
-  const double last = gears_at_ends(task_, connector.rule()).after.curvature;
+  const double last = driven_at_ends(task_, connector.rule()).after.curvature;
   if (std::abs(last - before.curvature) * connector.radius() > straight_wheels) return false;
   const Pose& goal = task_.goal;
   return std::hypot(pose.x - goal.x, pose.y - goal.y) <= steering::at_goal.position &&

@@ -97,9 +97,10 @@ Connector::Connector(const Task& task, const CostRule& rule, bool profile)
 
 std::optional<Connection> Connector::connect(const LocalPose& from, const LocalPose& to,
                                              const Terms& terms) {
-  const std::optional<Piece> piece = steer(from, to, terms.gears, terms.cutoff - terms.cost_so_far);
+  const std::optional<Piece> piece =
+      steer(from, to, terms.beside, terms.cutoff - terms.cost_so_far);
   if (!piece) return std::nullopt;
-  const double total = terms.cost_so_far + cost(*piece, terms.gears);
+  const double total = terms.cost_so_far + cost(*piece, terms.beside);
   if (total >= terms.cutoff || !is_free(from, *piece)) return std::nullopt;
   const double near = clearance_cost(from, piece->view(), terms.cutoff - total);
   if (total + near >= terms.cutoff) return std::nullopt;
@@ -107,15 +108,15 @@ std::optional<Connection> Connector::connect(const LocalPose& from, const LocalP
 }
 
 std::optional<Piece> Connector::steer(const LocalPose& from, const LocalPose& to,
-                                      const Gears& gears, double cutoff) {
+                                      const DrivenBeside& beside, double cutoff) {
   ++solves_;
   steering_.start();
   std::optional<Piece> best;
   if (continuous_) {
-    best = continuous_piece(from, to, gears, cutoff);
+    best = continuous_piece(from, to, beside, cutoff);
   } else {
     best = reeds_shepp(from, to, radius_);
-    if (!rule_.is_length()) best = cheapest_word(from, to, gears, *best, cutoff);
+    if (!rule_.is_length()) best = cheapest_word(from, to, beside, *best, cutoff);
     if (!may_drive(rule_, best->view())) best.reset();
   }
   steering_.stop();
@@ -157,17 +158,17 @@ void Connector::find_ends(const LocalPose& pose, const Driven& beside,
 }
 
 std::optional<Piece> Connector::continuous_piece(const LocalPose& from, const LocalPose& to,
-                                                 const Gears& gears, double cutoff) {
+                                                 const DrivenBeside& beside, double cutoff) {
   const double shortest = reeds_shepp_length(from, to, radius_);
   if (from == to || shortest >= cutoff) return std::nullopt;
-  find_ends(from, gears.before, starts_);
-  find_ends(to, gears.after, goals_);
+  find_ends(from, beside.before, starts_);
+  find_ends(to, beside.after, goals_);
   std::optional<Piece> best;
   double least = cutoff;
   const auto consider = [&](const Piece& piece, const End& start, const End& goal) {
     if (holds_crumb(piece)) return;
     if (first_driven(piece).gear == -start.gear || last_driven(piece).gear == -goal.gear) return;
-    const double total = cost(piece, gears);
+    const double total = cost(piece, beside);
     if (total >= least) return;
     best = piece;
     least = total;
@@ -199,8 +200,8 @@ std::optional<Piece> Connector::continuous_piece(const LocalPose& from, const Lo
                                                      rule_.weight(only == 0 ? 1 : only),
                                                      rule_.weight(only == 0 ? -1 : only),
                                                      rule_.gear_change_cost,
-                                                     gears.before.gear,
-                                                     gears.after.gear};
+                                                     beside.before.gear,
+                                                     beside.after.gear};
     steering::continuous::for_priced_pieces(
         *continuous_, from, to, ends, request, [&](const Piece& piece, std::size_t i) {
           consider(piece, starts_[i / count], goals_[i % count]);
@@ -212,21 +213,21 @@ std::optional<Piece> Connector::continuous_piece(const LocalPose& from, const Lo
 
 // Cheapest of all words; of equal costs the one with fewest segments. Words with few gear changes
 // are tried first, as each change has to be worth its price and most are not.
-Piece Connector::cheapest_word(const LocalPose& from, const LocalPose& to, const Gears& gears,
-                               const Piece& shortest, double cutoff) {
+Piece Connector::cheapest_word(const LocalPose& from, const LocalPose& to,
+                               const DrivenBeside& beside, const Piece& shortest, double cutoff) {
   // The piece to the goal is the last one, so nothing is added at its end. Wide arcs seldom fit
   // between obstacles, and would hide words that fit.
   const bool is_last = to == task_.goal;
   const steering::Closing& closing = is_last ? steering::at_goal : steering::on_the_way;
   Piece best = shortest;
-  double best_cost = cost(best, gears);
+  double best_cost = cost(best, beside);
   for (const int changes : changes_of(rule_)) {
     const double most = std::min(best_cost + least_worth, cutoff);
     const double longest = most - changes * rule_.gear_change_cost;
     if (longest < shortest.length) break;
     steering::find_words(from, to, radius_, {changes, longest, closing, is_last}, words_);
     for (const Piece& word : words_) {
-      const double word_cost = cost(word, gears);
+      const double word_cost = cost(word, beside);
       const double crumb = word.count < best.count ? least_worth : 0.0;
       if (word_cost >= best_cost + crumb) continue;
       best = word;
@@ -236,7 +237,8 @@ Piece Connector::cheapest_word(const LocalPose& from, const LocalPose& to, const
   return best;
 }
 
-double Connector::least_cost(const LocalPose& from, const LocalPose& to, const Gears& gears) {
+double Connector::least_cost(const LocalPose& from, const LocalPose& to,
+                             const DrivenBeside& beside) {
   ++solves_;
   const double shortest = reeds_shepp_length(from, to, radius_);
   if (rule_.is_length()) return shortest;
@@ -249,7 +251,7 @@ double Connector::least_cost(const LocalPose& from, const LocalPose& to, const G
     if (!rule_.allows(gear)) continue;
     const double weight = rule_.weight(gear);
     const double joints =
-        change_cost(rule_, gears.before, gear) + change_cost(rule_, gear, gears.after);
+        change_cost(rule_, beside.before, gear) + change_cost(rule_, gear, beside.after);
     if (weight * shortest + joints >= least) continue;
     const double length =
         gear > 0 ? dubins_length(from, to, radius_) : dubins_length(to, from, radius_);
@@ -258,11 +260,11 @@ double Connector::least_cost(const LocalPose& from, const LocalPose& to, const G
   return least;
 }
 
-double Connector::cost(const Piece& piece, const Gears& gears) const {
+double Connector::cost(const Piece& piece, const DrivenBeside& beside) const {
   if (rule_.is_length()) return piece.length;
-  Driven driven = gears.before;
+  Driven driven = beside.before;
   const double sum = drive_cost(rule_, piece.view(), driven);
-  return sum + change_cost(rule_, driven, gears.after);
+  return sum + change_cost(rule_, driven, beside.after);
 }
 
 bool Connector::is_free(const LocalPose& from, const Piece& piece) {

@@ -28,26 +28,27 @@ void drive_on(std::vector<Leg>& legs, const Segment& segment, const LocalPose& e
   leg->end = end;
 }
 
-Gears gears_at_ends(const Task& task, const CostRule& rule) {
+DrivenBeside driven_at_ends(const Task& task, const CostRule& rule) {
   if (task.steering != Steering::continuous) return {rule.initial_gear, 0};
   return {{rule.initial_gear, task.curvatures.start}, {0, task.curvatures.goal}};
 }
 
-Gears fitted_gears(const Task& task, const Gears& gears) {
-  if (task.steering == Steering::reeds_shepp) return {gears.before.gear, 0};
-  return gears;
+DrivenBeside fitted_driven(const Task& task, const DrivenBeside& beside) {
+  if (task.steering == Steering::reeds_shepp) return {beside.before.gear, 0};
+  return beside;
 }
 
-Gears gears_around(const Gears& beside, const Route& route, std::size_t first, std::size_t last) {
-  Gears gears{beside.before, 0};
-  for (std::size_t i = first; i > 0 && (i == first || gears.before.gear == 0); --i) {
-    gears.before = last_driven(route.legs[i - 1].piece);
+DrivenBeside driven_around(const DrivenBeside& ends, const Route& route, std::size_t first,
+                           std::size_t last) {
+  DrivenBeside beside{ends.before, 0};
+  for (std::size_t i = first; i > 0 && (i == first || beside.before.gear == 0); --i) {
+    beside.before = last_driven(route.legs[i - 1].piece);
   }
-  for (std::size_t i = last; i < route.legs.size() && gears.after.gear == 0; ++i) {
-    gears.after = first_driven(route.legs[i].piece);
+  for (std::size_t i = last; i < route.legs.size() && beside.after.gear == 0; ++i) {
+    beside.after = first_driven(route.legs[i].piece);
   }
-  if (gears.after.gear == 0) gears.after = beside.after;
-  return gears;
+  if (beside.after.gear == 0) beside.after = ends.after;
+  return beside;
 }
 
 double cost_of(const CostRule& rule, const Route& route) {

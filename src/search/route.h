@@ -39,16 +39,16 @@ void drive_on(std::vector<Leg>& legs, const Segment& segment, const LocalPose& e
               std::size_t most = segments_of_leg, bool begins_leg = false);
 
 /// Gears and curvatures before the start and after the goal, as far as task and rule say.
-[[nodiscard]] Gears gears_at_ends(const Task& task, const CostRule& rule);
+[[nodiscard]] DrivenBeside driven_at_ends(const Task& task, const CostRule& rule);
 
-/// Gears and curvatures that a piece between `gears` must match. If the wheels turn at once, only
+/// Gears and curvatures that a piece between `beside` must match. If the wheels turn at once, only
 /// the gear before the piece counts.
-[[nodiscard]] Gears fitted_gears(const Task& task, const Gears& gears);
+[[nodiscard]] DrivenBeside fitted_driven(const Task& task, const DrivenBeside& beside);
 
-/// Gears and curvatures before leg `first` and from leg `last` on. `beside`: those before and after
+/// Gears and curvatures before leg `first` and from leg `last` on. `ends`: those before and after
 /// the route.
-[[nodiscard]] Gears gears_around(const Gears& beside, const Route& route, std::size_t first,
-                                 std::size_t last);
+[[nodiscard]] DrivenBeside driven_around(const DrivenBeside& ends, const Route& route,
+                                         std::size_t first, std::size_t last);
 
 /// Cost of a route [m], with the `clearance_cost` stored in its legs.
 [[nodiscard]] double cost_of(const CostRule& rule, const Route& route);

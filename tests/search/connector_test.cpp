@@ -32,15 +32,15 @@ TEST(Connector, NoWordCostsLessThanTheLeastCost) {
     const Pose to = uniform_pose(region, rng);
     const Problem problem = problem_of(from, {0, 0, 0}, {});
     Connector connector(problem.task(), random_rule(rng));
-    const Gears gears{random_gear(rng), random_gear(rng)};
-    const double least = connector.least_cost(Local(from), Local(to), gears);
+    const DrivenBeside beside{random_gear(rng), random_gear(rng)};
+    const double least = connector.least_cost(Local(from), Local(to), beside);
     for (const Piece& word : reeds_shepp_words(from, to, connector.radius())) {
-      EXPECT_GE(connector.cost(word, gears), least - 1e-9);
+      EXPECT_GE(connector.cost(word, beside), least - 1e-9);
     }
     const Piece forward = dubins(from, to, connector.radius());
     const Piece reverse = reversed(dubins(to, from, connector.radius()));
     for (const Piece& word : {forward, reverse}) {
-      EXPECT_GE(connector.cost(word, gears), least - 1e-9);
+      EXPECT_GE(connector.cost(word, beside), least - 1e-9);
     }
     EXPECT_GE(least, reeds_shepp_length(from, to, connector.radius()) - 1e-9);
   });
@@ -64,11 +64,11 @@ TEST(Connector, ACutoffHidesNoWordThatCostsLess) {
     const Pose to = uniform_pose(region, rng);
     const Problem problem = problem_of(from, {0, 0, 0}, {});
     Connector connector(problem.task(), random_rule(rng));
-    const Gears gears{random_gear(rng), random_gear(rng)};
-    const double cost = connector.cost(*connector.steer(Local(from), Local(to), gears), gears);
+    const DrivenBeside beside{random_gear(rng), random_gear(rng)};
+    const double cost = connector.cost(*connector.steer(Local(from), Local(to), beside), beside);
     const double cutoff = cost * uniform(0.5, 2.0, rng);
     const double below =
-        connector.cost(*connector.steer(Local(from), Local(to), gears, cutoff), gears);
+        connector.cost(*connector.steer(Local(from), Local(to), beside, cutoff), beside);
     if (cost < cutoff) {
       EXPECT_NEAR(below, cost, 1e-5);  // among words that cost alike the one of fewer segments
     } else {
@@ -101,17 +101,17 @@ TEST(Connector, AContinuousPieceGoesOnFromWhatIsDrivenAroundIt) {
       Connector connector(task, rule);
       const Pose from = uniform_pose({-10, 10, -10, 10}, rng);
       const Pose to = uniform_pose({-10, 10, -10, 10}, rng);
-      const auto beside = [&]() -> Driven {
+      const auto any_driven = [&]() -> Driven {
         const double curvatures[] = {0.0, 1 / connector.radius(), Driven::any};
         const GearSign gear = random_gear(rng);
         return {gear, gear == 0 ? Driven::any : curvatures[rng() % 3]};
       };
-      const Gears gears{beside(), beside()};
-      const std::optional<Piece> piece = connector.steer(Local(from), Local(to), gears);
+      const DrivenBeside beside{any_driven(), any_driven()};
+      const std::optional<Piece> piece = connector.steer(Local(from), Local(to), beside);
       if (!piece) return;
       ++found;
-      EXPECT_TRUE(fits(gears.before, first_driven(*piece), steering));
-      EXPECT_TRUE(fits(gears.after, last_driven(*piece), steering));
+      EXPECT_TRUE(fits(beside.before, first_driven(*piece), steering));
+      EXPECT_TRUE(fits(beside.after, last_driven(*piece), steering));
       const Pose end = end_of(from, *piece);
       EXPECT_NEAR(std::hypot(end.x - to.x, end.y - to.y), 0.0, 1e-6);
     });

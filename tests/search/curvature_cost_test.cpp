@@ -129,8 +129,8 @@ TEST(CurvatureCost, OfARouteIsThatOfItsPath) {
     for (int i = 0; i < 4; ++i) {
       const LocalPose via(uniform_pose({-20, 20, -20, 20}, rng));
       const std::size_t n = route.legs.size();
-      const search::Gears gears = gears_around({rule.initial_gear, 0}, route, n, n);
-      route.legs.push_back({*connector.steer(route.begin_of(n), via, gears), via});
+      const search::DrivenBeside beside = driven_around({rule.initial_gear, 0}, route, n, n);
+      route.legs.push_back({*connector.steer(route.begin_of(n), via, beside), via});
     }
     EXPECT_NEAR(search::cost_of(rule, route), cost_of(rule, path_of(route).segments), 1e-9);
     const CostRule backwards{

@@ -84,9 +84,9 @@ void expect_no_dearer(const Pose& start, const Piece& word, const Pose& goal,
                       const CostRule& rule) {
   const Problem problem = problem_of(start, goal, {});
   Connector connector(problem.task(), rule);
-  const search::Gears gears{rule.initial_gear, 0};
-  const Piece piece = *connector.steer(Local(start), Local(goal), gears);
-  EXPECT_LE(connector.cost(piece, gears), connector.cost(word, gears) + 2e-4)
+  const search::DrivenBeside beside{rule.initial_gear, 0};
+  const Piece piece = *connector.steer(Local(start), Local(goal), beside);
+  EXPECT_LE(connector.cost(piece, beside), connector.cost(word, beside) + 2e-4)
       << as_code(word.view()) << " to " << as_code(goal);
   EXPECT_TRUE(ends_within(end_of(start, piece), goal, {0.9e-6, 0.9e-6})) << as_code(word.view());
   EXPECT_NEAR(piece.length, length(piece.view()), 1e-9);

@@ -83,8 +83,8 @@ bool Chain::is_free() const {
 }
 
 /// Gears and curvatures before leg `first` and from leg `last` on.
-Gears Chain::gears_beside(std::size_t first, std::size_t last) const {
-  const Gears ends = gears_at_ends(task_, connector_.rule());
+DrivenBeside Chain::driven_beside(std::size_t first, std::size_t last) const {
+  const DrivenBeside ends = driven_at_ends(task_, connector_.rule());
   return {first == 0 ? ends.before : last_driven(legs_[first - 1].piece),
           last == legs_.size() ? ends.after : first_driven(legs_[last].piece)};
 }
@@ -92,7 +92,7 @@ Gears Chain::gears_beside(std::size_t first, std::size_t last) const {
 /// Pieces from place to place; `around`: what is driven before and after them. None if two places
 /// cannot be joined.
 std::optional<std::vector<Chain::Link>> Chain::links(std::span<const Via> vias,
-                                                     const Gears& around) {
+                                                     const DrivenBeside& around) {
   std::vector<Link> result;
   Driven before = around.before;
   for (std::size_t i = 0; i + 1 < vias.size(); ++i) {
@@ -108,7 +108,7 @@ std::optional<std::vector<Chain::Link>> Chain::links(std::span<const Via> vias,
 }
 
 bool Chain::join() {
-  const Gears ends = gears_at_ends(task_, connector_.rule());
+  const DrivenBeside ends = driven_at_ends(task_, connector_.rule());
   auto all = links(vias_, ends);
   if (!all) {  // with straight wheels there is always a way
     for (Via& via : vias_) via.next = 0;
@@ -144,7 +144,7 @@ std::optional<Piece> Chain::old_piece(const Via& from, const Via& to, Driven bef
 }
 
 bool Chain::take_over() {
-  const Gears ends = gears_at_ends(task_, connector_.rule());
+  const DrivenBeside ends = driven_at_ends(task_, connector_.rule());
   Driven before = ends.before;
   for (std::size_t i = 0; i + 1 < vias_.size(); ++i) {
     const bool is_last = i + 2 == vias_.size();
@@ -182,19 +182,19 @@ double Chain::clearance_cost(std::size_t first, std::size_t last) const {
 // Replaces the legs [first, last) by one piece that is free, if one of them is blocked or the piece
 // is cheaper.
 void Chain::span_legs(std::size_t first, std::size_t last) {
-  const Gears gears = gears_beside(first, last);
+  const DrivenBeside beside = driven_beside(first, last);
   double cost = 0.0;
-  Driven before = gears.before;
+  Driven before = beside.before;
   for (std::size_t i = first; i < last; ++i) {
-    const Driven after = i + 1 == last ? gears.after : Driven{};
+    const Driven after = i + 1 == last ? beside.after : Driven{};
     if (!legs_[i].is_free) cost = std::numeric_limits<double>::infinity();
     cost += connector_.cost(legs_[i].piece, {before, after});
     before = last_driven(legs_[i].piece);
   }
   const LocalPose& from = vias_[first].pose;
-  const std::optional<Piece> piece = connector_.steer(from, vias_[last].pose, gears, cost);
+  const std::optional<Piece> piece = connector_.steer(from, vias_[last].pose, beside, cost);
   if (!piece || !connector_.is_free(from, *piece)) return;
-  const double gain = cost - connector_.cost(*piece, gears);
+  const double gain = cost - connector_.cost(*piece, beside);
   if (gain <= 0.0) return;
   if (std::isfinite(cost) &&
       connector_.clearance_cost(from, piece->view()) >= gain + clearance_cost(first, last)) {
@@ -240,7 +240,7 @@ void Chain::repair() {
   const Via between = inserts ? beside(uniform(from.s, to.s, rng_), 0)
                               : beside(vias_[first + 1].s, vias_[first + 1].next);
   const std::array<Via, 3> trial = {from, between, to};
-  const auto fresh = links(trial, gears_beside(first, last));
+  const auto fresh = links(trial, driven_beside(first, last));
   if (!fresh) return;
   const auto begin = legs_.begin() + static_cast<std::ptrdiff_t>(first);
   const auto end = legs_.begin() + static_cast<std::ptrdiff_t>(last);

@@ -55,9 +55,9 @@ class Chain {
   };
 
   [[nodiscard]] static std::vector<Via> vias_of(const Path& path);
-  [[nodiscard]] Gears gears_beside(std::size_t first, std::size_t last) const;
+  [[nodiscard]] DrivenBeside driven_beside(std::size_t first, std::size_t last) const;
   [[nodiscard]] std::optional<std::vector<Link>> links(std::span<const Via> vias,
-                                                       const Gears& around);
+                                                       const DrivenBeside& around);
   [[nodiscard]] Via beside(double s, GearSign next);
   [[nodiscard]] std::optional<Piece> old_piece(const Via& from, const Via& to, Driven before) const;
   void exchange(std::size_t first, std::size_t last, const std::vector<Link>& fresh);

@@ -17,8 +17,8 @@ constexpr double of_rig = 1e-9;  // rounding of the bound of a rig, relative
 CostBound::CostBound(const Task& task, const planning::Pricing& pricing)
     : pricing_(pricing), ground_(open_ground(task, pricing.rule())) {
   if (!task.vehicle.trailer) return;
-  rig_ = Rig{.judged = rig::least_cost(task, pricing),
-             .exact = rig::least_cost(task, pricing, rig::Ends::exact)};
+  rig_ = Rig{.judged = rig::cost_lower_bound(task, pricing),
+             .exact = rig::cost_lower_bound(task, pricing, rig::Ends::exact)};
 }
 
 double CostBound::least(const Proven& proven) const {

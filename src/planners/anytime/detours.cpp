@@ -84,20 +84,20 @@ void Detours::choose() {
 void Detours::begin() {
   choose();
   CostRule rule = rule_;
-  gears_ = gears_at_ends(task_, rule_);
-  if (!before_.legs.empty()) gears_.before = last_driven(before_.legs.back().piece);
-  if (!after_.legs.empty()) gears_.after = first_driven(after_.legs.front().piece);
-  rule.initial_gear = gears_.before.gear;
+  beside_ = driven_at_ends(task_, rule_);
+  if (!before_.legs.empty()) beside_.before = last_driven(before_.legs.back().piece);
+  if (!after_.legs.empty()) beside_.after = first_driven(after_.legs.front().piece);
+  rule.initial_gear = beside_.before.gear;
   price(Connector(task_, rule), old_);
   const LocalPose& first = old_.start;
   const LocalPose& last = old_.legs.back().end;
   if (backwards_) {
-    std::swap(gears_.before, gears_.after);
-    gears_.before.gear *= -1;
-    gears_.after.gear *= -1;
-    rule = reversed(rule_, gears_.before.gear);
+    std::swap(beside_.before, beside_.after);
+    beside_.before.gear *= -1;
+    beside_.after.gear *= -1;
+    rule = reversed(rule_, beside_.before.gear);
   }
-  gears_ = fitted_gears(task_, gears_);
+  beside_ = fitted_driven(task_, beside_);
   connector_.emplace(task_, rule);
   make_guide(backwards_ ? last : first, backwards_ ? first : last);
 }
@@ -165,7 +165,7 @@ bool Detours::search() {
   if (!lattice_) {
     const LocalPose& first = old_.start;
     const LocalPose& last = old_.legs.back().end;
-    lattice_.emplace(backwards_ ? last : first, backwards_ ? first : last, gears_, options_,
+    lattice_.emplace(backwards_ ? last : first, backwards_ ? first : last, beside_, options_,
                      *guide_, *connector_);
     lattice_->set_cutoff(detour_slack * old_.cost);
   }
@@ -175,7 +175,7 @@ bool Detours::search() {
   }
   if (!lattice_->step()) return false;
   patch_.emplace(*connector_, lattice_->route(), rng_(), Scope::all,
-                 std::function<double(const Route&)>(), gears_);
+                 std::function<double(const Route&)>(), beside_);
   trials_ = 0;
   return false;
 }

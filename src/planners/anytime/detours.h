@@ -55,7 +55,7 @@ class Detours final : public Source {
   Route before_, after_;    // parts of the route that stay
   Route old_;               // stretch that is to be replaced
   bool backwards_ = false;  // whether the search begins at the end of the stretch
-  Gears gears_;             // gears beside the stretch, in the direction of the search
+  DrivenBeside beside_;     // gears beside the stretch, in the direction of the search
   std::optional<Connector> connector_;
   std::unique_ptr<Guide> guide_;
   bool guided_ = false;  // whether the guide is complete

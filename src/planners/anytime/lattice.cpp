@@ -35,20 +35,20 @@ int locks_for(const Connector& connector, double step, int most) {
 
 }  // namespace
 
-Lattice::Lattice(const LocalPose& root, const LocalPose& target, const Gears& gears,
+Lattice::Lattice(const LocalPose& root, const LocalPose& target, const DrivenBeside& beside,
                  const LatticeOptions& options, const Guide& guide, Connector& connector)
     : connector_(connector),
       guide_(guide),
       options_(options),
       target_(target),
-      gears_(gears),
+      beside_(beside),
       cutoff_(std::numeric_limits<double>::infinity()),
       step_length_(2 * std::numbers::pi / options.headings * connector.radius()),
       cell_(options.cell * connector.radius()),
       locks_(locks_for(connector, step_length_, options.max_locks)),
       closed_(1024, 0) {
   route_.start = root;
-  open({root, {std::isnan(gears.before.curvature) ? 0.0 : gears.before.curvature, 0.0}, 0.0, -1});
+  open({root, {std::isnan(beside.before.curvature) ? 0.0 : beside.before.curvature, 0.0}, 0.0, -1});
 }
 
 // Number of a node's cell; never 0, which marks a free slot.
@@ -77,7 +77,7 @@ bool Lattice::is_closed(std::uint64_t key) const {
 }
 
 Driven Lattice::driven_to(const Node& node) const {
-  if (node.parent < 0) return gears_.before;
+  if (node.parent < 0) return beside_.before;
   return last_driven(node.segment);
 }
 
@@ -147,7 +147,7 @@ std::optional<Lattice::Entry> Lattice::next() {
     open_.pop();
     if (entry.open_ground > 0.0) return entry;
     const Node& node = nodes_[static_cast<std::size_t>(entry.node)];
-    entry.open_ground = connector_.least_cost(node.pose, target_, {driven_to(node), gears_.after});
+    entry.open_ground = connector_.least_cost(node.pose, target_, {driven_to(node), beside_.after});
     if (entry.open_ground <= entry.around) return entry;
     entry.rank = node.cost_to_come + options_.greediness * entry.open_ground;
     if (open_.empty() || open_.top() < entry) return entry;
@@ -169,7 +169,7 @@ bool Lattice::shoot(const Entry& entry) {
   const bool is_far = entry.open_ground > options_.far_shot * connector_.radius();
   if (is_far && closed_count_ % rare_shot != 0) return false;
   const std::optional<Connection> shot = connector_.connect(
-      node.pose, target_, {node.cost_to_come, cutoff_, {driven_to(node), gears_.after}});
+      node.pose, target_, {node.cost_to_come, cutoff_, {driven_to(node), beside_.after}});
   if (!shot) return false;
   build_route(entry.node, shot->piece);
   cutoff_ = std::min(cutoff_, route_.cost);

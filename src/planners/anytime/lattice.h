@@ -36,11 +36,11 @@ struct LatticeOptions {
   int max_locks = all_locks;
 };
 
-/// One search from `root` to `target`. `gears`: what is driven before and after the route.
+/// One search from `root` to `target`. `beside`: what is driven before and after the route.
 class Lattice {
  public:
   /// Guide and connector outlive the search.
-  Lattice(const LocalPose& root, const LocalPose& target, const Gears& gears,
+  Lattice(const LocalPose& root, const LocalPose& target, const DrivenBeside& beside,
           const LatticeOptions& options, const Guide& guide, Connector& connector);
 
   /// Expands one pose. True when a route was found that is cheaper than all before: `route`.
@@ -96,7 +96,7 @@ class Lattice {
   const Guide& guide_;
   LatticeOptions options_;
   LocalPose target_;
-  Gears gears_;
+  DrivenBeside beside_;
   double cutoff_;
   double step_length_;
   double cell_;

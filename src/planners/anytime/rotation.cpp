@@ -45,10 +45,10 @@ CostRule priced(CostRule rule, double price) {
 }  // namespace
 
 Rotation::Rotation(const Task& task, const CostRule& rule, const LocalPose& root,
-                   const LocalPose& target, const Gears& gears, const Guide& guide)
+                   const LocalPose& target, const DrivenBeside& beside, const Guide& guide)
     : root_(root),
       target_(target),
-      gears_(gears),
+      beside_(beside),
       guide_(guide),
       joined_(first_joined),
       turn_(first_turn) {
@@ -71,7 +71,7 @@ bool Rotation::begin_turn() {
     if (search.done) continue;
     left_ = turn_;
     if (!search.lattice) {
-      search.lattice = std::make_unique<Lattice>(root_, target_, gears_, styles[current_].lattice,
+      search.lattice = std::make_unique<Lattice>(root_, target_, beside_, styles[current_].lattice,
                                                  guide_, search.connector);
       if (current_ == 0) left_ = first_of_all;
     }

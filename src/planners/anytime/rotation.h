@@ -20,7 +20,7 @@ class Rotation {
  public:
   /// `rule`: prices in the direction of the search. The task and the guide outlive the rotation.
   Rotation(const Task& task, const CostRule& rule, const LocalPose& root, const LocalPose& target,
-           const Gears& gears, const Guide& guide);
+           const DrivenBeside& beside, const Guide& guide);
 
   /// Expands one pose. True when a route was found: `route`. Routes that cost much more than
   /// `cutoff`, the cost of the best route, are ignored.
@@ -48,7 +48,7 @@ class Rotation {
 
   LocalPose root_;
   LocalPose target_;
-  Gears gears_;
+  DrivenBeside beside_;
   const Guide& guide_;
   std::vector<std::unique_ptr<Search>> searches_;
   std::size_t current_ = 0;  // index of the search whose turn it is

@@ -53,12 +53,13 @@ double crumbs_of(const Route& route, double radius) {
 }  // namespace
 
 Shortener::Shortener(Connector& connector, Route route, std::uint64_t seed, Scope scope,
-                     std::function<double(const Route&)> measure, std::optional<Gears> beside)
+                     std::function<double(const Route&)> measure,
+                     std::optional<DrivenBeside> beside)
     : connector_(connector),
       measure_(std::move(measure)),
       route_(std::move(route)),
       start_(route_.start),
-      beside_(beside.value_or(Gears{connector.rule().initial_gear, 0})),
+      beside_(beside.value_or(DrivenBeside{connector.rule().initial_gear, 0})),
       cost_(route_.cost),
       visit_cost_(cost_),
       rng_(seed),
@@ -129,16 +130,16 @@ void Shortener::next_window() {
 }
 
 // Gears and curvatures before and after the legs [first, last) of the window.
-Gears Shortener::gears_beside(std::size_t first, std::size_t last) const {
+DrivenBeside Shortener::driven_beside(std::size_t first, std::size_t last) const {
   const bool needs_gears = !connector_.rule().is_length() || connector_.continuous() != nullptr;
   if (!needs_gears) return {};
-  const Gears ends{beside_.before, ahead_.empty() ? beside_.after : Driven{}};
-  Gears gears = gears_around(ends, route_, first, last);
+  const DrivenBeside ends{beside_.before, ahead_.empty() ? beside_.after : Driven{}};
+  DrivenBeside beside = driven_around(ends, route_, first, last);
   if (!passed_.empty() && driven_last(std::span(route_.legs).first(first), {}).gear == 0) {
-    gears.before = driven_last(passed_, gears.before);
+    beside.before = driven_last(passed_, beside.before);
   }
-  if (!ahead_.empty() && gears.after.gear == 0) gears.after = driven_first(ahead_);
-  return gears;
+  if (!ahead_.empty() && beside.after.gear == 0) beside.after = driven_first(ahead_);
+  return beside;
 }
 
 Shortener::Place Shortener::random_place() {
@@ -168,22 +169,22 @@ LocalPose Shortener::perturbed(const LocalPose& pose) {
   return compose(pose, local);
 }
 
-double Shortener::cost_of_legs(std::span<const Leg> legs, const Gears& gears) const {
+double Shortener::cost_of_legs(std::span<const Leg> legs, const DrivenBeside& beside) const {
   const CostRule& rule = connector_.rule();
-  Driven driven = gears.before;
+  Driven driven = beside.before;
   double sum = 0.0;
   for (const Leg& leg : legs) {
     sum += rule.is_length() ? leg.piece.length
                             : drive_cost(rule, leg.piece.view(), driven) + leg.clearance_cost;
   }
-  return rule.is_length() ? sum : sum + change_cost(rule, driven, gears.after);
+  return rule.is_length() ? sum : sum + change_cost(rule, driven, beside.after);
 }
 
 // The legs that a trial would replace, and the cost that it must undercut.
 Shortener::Stretch Shortener::stretch(std::size_t first, std::size_t last) const {
-  const Gears gears = gears_beside(first, last);
-  const double cost = cost_of_legs(std::span(route_.legs).subspan(first, last - first), gears);
-  return {first, last, gears, measure_ ? guide_leeway * cost : cost};
+  const DrivenBeside beside = driven_beside(first, last);
+  const double cost = cost_of_legs(std::span(route_.legs).subspan(first, last - first), beside);
+  return {first, last, beside, measure_ ? guide_leeway * cost : cost};
 }
 
 // Adds the clearance cost of the trial. False if it uses up the gain.
@@ -201,7 +202,7 @@ bool Shortener::stays_cheaper(LocalPose from, double gain) {
 // Puts the trial in the place of the stretch if that is cheaper and free. `fresh`: legs of the
 // trial that must be checked; the other legs were cut from the route.
 bool Shortener::replace(const Stretch& old, std::span<const Leg> fresh) {
-  const double gain = old.cost - cost_of_legs(trial_, old.gears);
+  const double gain = old.cost - cost_of_legs(trial_, old.beside);
   if (gain < least_gain) return false;
   for (const Leg& leg : fresh) {
     const bool is_first = &leg == trial_.data();
@@ -223,7 +224,7 @@ bool Shortener::replace(const Stretch& old, std::span<const Leg> fresh) {
   if (is_whole()) {
     route_.cost = cost_of(connector_.rule(), route_);
   } else {
-    cost_ -= old.cost - cost_of_legs(trial_, old.gears);
+    cost_ -= old.cost - cost_of_legs(trial_, old.beside);
   }
   return true;
 }
@@ -246,12 +247,12 @@ bool Shortener::shortcut() {
   const Piece tail = suffix(route_.legs[b.leg].piece, b.s);
   const Stretch old = stretch(a.leg, b.leg + 1);
   const double kept =
-      connector_.cost(head, {old.gears.before, 0}) + connector_.cost(tail, {0, old.gears.after});
-  const Gears gears{head.count > 0 ? last_driven(head) : old.gears.before,
-                    tail.count > 0 ? first_driven(tail) : old.gears.after};
+      connector_.cost(head, {old.beside.before, 0}) + connector_.cost(tail, {0, old.beside.after});
+  const DrivenBeside beside{head.count > 0 ? last_driven(head) : old.beside.before,
+                            tail.count > 0 ? first_driven(tail) : old.beside.after};
   trial_.clear();
   if (head.count > 0) trial_.push_back({head, from});
-  const std::optional<Piece> piece = connector_.steer(from, to, gears, old.cost - kept);
+  const std::optional<Piece> piece = connector_.steer(from, to, beside, old.cost - kept);
   if (!piece) return false;
   trial_.push_back({*piece, to});
   if (tail.count > 0) trial_.push_back({tail, route_.legs[b.leg].end});
@@ -265,7 +266,7 @@ bool Shortener::drop_via() {
   const auto i = static_cast<std::size_t>(rng_() % (legs - 1));
   const LocalPose& to = route_.legs[i + 1].end;
   const Stretch old = stretch(i, i + 2);
-  const std::optional<Piece> piece = connector_.steer(route_.begin_of(i), to, old.gears, old.cost);
+  const std::optional<Piece> piece = connector_.steer(route_.begin_of(i), to, old.beside, old.cost);
   if (!piece) return false;
   trial_.assign(1, {*piece, to});
   return replace(old, trial_);
@@ -278,18 +279,18 @@ bool Shortener::replace_by_way_of(const LocalPose& via, const Stretch& old, Gear
   const LocalPose& to = route_.legs[old.last - 1].end;
   double left = old.cost;
   if (!connector_.rule().is_length()) {
-    left -= connector_.least_cost(via, to, {0, old.gears.after});
+    left -= connector_.least_cost(via, to, {0, old.beside.after});
     if (left <= 0.0) return false;
   }
   const Driven next = connector_.continuous() != nullptr ? cusp : 0;
-  const std::optional<Piece> first = connector_.steer(from, via, {old.gears.before, next}, left);
+  const std::optional<Piece> first = connector_.steer(from, via, {old.beside.before, next}, left);
   if (!first) return false;
   trial_.assign(1, {*first, via});
   const Driven between = last_driven(trial_[0].piece);
-  const double spent = connector_.cost(trial_[0].piece, {old.gears.before, 0});
+  const double spent = connector_.cost(trial_[0].piece, {old.beside.before, 0});
   if (!connector_.rule().is_length() && spent >= left) return false;
   const std::optional<Piece> second =
-      connector_.steer(via, to, {between, old.gears.after}, old.cost - spent);
+      connector_.steer(via, to, {between, old.beside.after}, old.cost - spent);
   if (!second) return false;
   trial_.push_back({*second, to});
   return replace(old, trial_);

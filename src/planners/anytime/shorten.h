@@ -28,7 +28,8 @@ class Shortener {
   /// `measure` routes are compared by it, and the prices of the connector are only a guide. The
   /// scope is `all` then, and the cost of the route is that of the measure.
   Shortener(Connector& connector, Route route, std::uint64_t seed, Scope scope = Scope::all,
-            std::function<double(const Route&)> measure = {}, std::optional<Gears> beside = {});
+            std::function<double(const Route&)> measure = {},
+            std::optional<DrivenBeside> beside = {});
 
   /// One trial. True when the route got cheaper.
   bool step();
@@ -52,7 +53,7 @@ class Shortener {
   struct Stretch {
     std::size_t first;
     std::size_t last;
-    Gears gears;
+    DrivenBeside beside;
     double cost;
   };
 
@@ -60,7 +61,7 @@ class Shortener {
   [[nodiscard]] std::size_t count_of_legs() const {
     return passed_.size() + route_.legs.size() + ahead_.size();
   }
-  [[nodiscard]] Gears gears_beside(std::size_t first, std::size_t last) const;
+  [[nodiscard]] DrivenBeside driven_beside(std::size_t first, std::size_t last) const;
   void move_window();
   void next_window();
   [[nodiscard]] Place random_place();
@@ -70,7 +71,7 @@ class Shortener {
   bool drop_via();
   bool move_via();
   bool move_place();
-  [[nodiscard]] double cost_of_legs(std::span<const Leg> legs, const Gears& gears) const;
+  [[nodiscard]] double cost_of_legs(std::span<const Leg> legs, const DrivenBeside& beside) const;
   [[nodiscard]] Stretch stretch(std::size_t first, std::size_t last) const;
   bool replace_by_way_of(const LocalPose& via, const Stretch& old, GearSign cusp);
   [[nodiscard]] bool stays_cheaper(LocalPose from, double gain);
@@ -80,9 +81,9 @@ class Shortener {
 
   Connector& connector_;
   std::function<double(const Route&)> measure_;
-  Route route_;      // the whole route, or the window
-  LocalPose start_;  // start of the whole route
-  Gears beside_;     // driven before and after the whole route
+  Route route_;          // the whole route, or the window
+  LocalPose start_;      // start of the whole route
+  DrivenBeside beside_;  // driven before and after the whole route
   /// Legs before the window.
   std::vector<Leg> passed_;
   /// Legs behind the window, in reverse order.

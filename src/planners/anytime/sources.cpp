@@ -91,10 +91,10 @@ void Ladder::next_guide() {
 }
 
 // Gears and curvatures before and after the route of a search, in its direction.
-Gears Ladder::gears_from(const CostRule& rule) const {
-  Gears gears = gears_at_ends(task_, rule);
-  if (root_ == Root::goal) std::swap(gears.before.curvature, gears.after.curvature);
-  return gears;
+DrivenBeside Ladder::driven_beside_route(const CostRule& rule) const {
+  DrivenBeside beside = driven_at_ends(task_, rule);
+  if (root_ == Root::goal) std::swap(beside.before.curvature, beside.after.curvature);
+  return beside;
 }
 
 void Ladder::next_search() {
@@ -107,7 +107,7 @@ void Ladder::next_search() {
   Connector& connector = minds_prices_ ? by_price_ : by_length_;
   LatticeOptions options = goes_far() ? far_searches[level_].lattice : searches[level_];
   options.max_locks = level_ < last_coarse_level ? coarse_locks : fine_locks;
-  lattice_.emplace(from_, to_, gears_from(connector.rule()), options, *guide_, connector);
+  lattice_.emplace(from_, to_, driven_beside_route(connector.rule()), options, *guide_, connector);
   const bool is_new_guide = guide_level_ == level_;
   if (goes_far() && is_new_guide && guide_->is_connected()) {
     std::vector<Point> way = static_cast<const FarGuide&>(*guide_).way();
@@ -182,7 +182,8 @@ bool Ladder::step_rotation() {
       next_guide();
       return false;
     }
-    rotation_.emplace(task_, by_price_.rule(), from_, to_, gears_from(by_price_.rule()), *guide_);
+    rotation_.emplace(task_, by_price_.rule(), from_, to_, driven_beside_route(by_price_.rule()),
+                      *guide_);
   }
   const bool found = rotation_->step(cutoff_);
   finished_ = rotation_->is_finished();

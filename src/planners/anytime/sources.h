@@ -45,7 +45,7 @@ class Ladder final : public Source {
   [[nodiscard]] bool is_known() const;
   bool step_rotation();
   bool step_strung();
-  [[nodiscard]] Gears gears_from(const CostRule& rule) const;
+  [[nodiscard]] DrivenBeside driven_beside_route(const CostRule& rule) const;
   void next_search();
   void next_guide();
   [[nodiscard]] bool needs_next_guide() const;

@@ -12,7 +12,7 @@
 namespace vandplan::anytime {
 namespace {
 
-using search::Connector, search::gear_of, search::Gears, search::Leg, search::Route;
+using search::Connector, search::gear_of, search::DrivenBeside, search::Leg, search::Route;
 
 /// Distances by which a gear may change later, in the order of trial, as shares of what the stroke
 /// lacks.
@@ -82,7 +82,7 @@ double missing(const Route& route, double least) {
 
 class Lengthener {
  public:
-  Lengthener(Connector& connector, const Gears& beside, Route route, double least)
+  Lengthener(Connector& connector, const DrivenBeside& beside, Route route, double least)
       : connector_(connector), beside_(beside), route_(cut_at_changes(route)), least_(least) {}
 
   Route lengthened();
@@ -96,7 +96,7 @@ class Lengthener {
   void consider(std::size_t first, std::size_t last, const std::vector<Leg>& legs);
 
   Connector& connector_;
-  Gears beside_;
+  DrivenBeside beside_;
   Route route_;
   double least_;
   double wanted_ = 0.0;  // most that all strokes may lack after a change [m]
@@ -128,9 +128,9 @@ void Lengthener::try_without(const LegStroke& stroke) {
          ++after) {
       const std::size_t first = stroke.first - before;
       const std::size_t last = stroke.last + after;
-      const Gears gears = gears_around(beside_, route_, first, last);
+      const DrivenBeside beside = driven_around(beside_, route_, first, last);
       const LocalPose& to = route_.legs[last - 1].end;
-      const std::optional<Piece> piece = connector_.steer(route_.begin_of(first), to, gears);
+      const std::optional<Piece> piece = connector_.steer(route_.begin_of(first), to, beside);
       if (piece && piece->count > 0) consider(first, last, {{*piece, to}});
     }
   }
@@ -155,13 +155,13 @@ void Lengthener::try_later(std::size_t cusp, double by) {
            ++behind) {
         const std::size_t first = cusp - ahead;
         const std::size_t last = cusp + behind;
-        const Gears gears = gears_around(beside_, route_, first, last);
+        const DrivenBeside beside = driven_around(beside_, route_, first, last);
         const std::optional<Piece> there =
-            connector_.steer(route_.begin_of(first), via, {gears.before, gear_of(after)});
+            connector_.steer(route_.begin_of(first), via, {beside.before, gear_of(after)});
         if (!there || there->count == 0) continue;
         const LocalPose& to = route_.legs[last - 1].end;
         const std::optional<Piece> back =
-            connector_.steer(via, to, {search::last_driven(*there), gears.after});
+            connector_.steer(via, to, {search::last_driven(*there), beside.after});
         if (back && back->count > 0) consider(first, last, {{*there, via}, {*back, to}});
       }
     }
@@ -197,7 +197,7 @@ Route Lengthener::lengthened() {
 
 }  // namespace
 
-search::Route with_strokes(search::Connector& connector, const search::Gears& beside,
+search::Route with_strokes(search::Connector& connector, const search::DrivenBeside& beside,
                            search::Route route, double least) {
   if (missing(cut_at_changes(route), least) == 0.0) return route;
   return Lengthener(connector, beside, std::move(route), least).lengthened();

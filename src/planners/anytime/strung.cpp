@@ -102,11 +102,11 @@ const LocalPose& Strung::here() const {
   return route_.legs.empty() ? route_.start : route_.legs.back().end;
 }
 
-Gears Strung::gears_of_leg() const {
-  Gears gears = gears_at_ends(task_, connector_.rule());
-  if (!route_.legs.empty()) gears.before = last_driven(route_.legs.back().piece);
-  if (next_ + 1 < corners_.size()) gears.after = {};
-  return fitted_gears(task_, gears);
+DrivenBeside Strung::driven_beside_leg() const {
+  DrivenBeside beside = driven_at_ends(task_, connector_.rule());
+  if (!route_.legs.empty()) beside.before = last_driven(route_.legs.back().piece);
+  if (next_ + 1 < corners_.size()) beside.after = {};
+  return fitted_driven(task_, beside);
 }
 
 // Most that a leg may cost. A dearer leg would turn around on its way.
@@ -118,15 +118,16 @@ double Strung::dearest_leg(const LocalPose& corner) const {
 // Drives straight to the next corner, or begins a search if that is blocked or too dear.
 void Strung::begin_leg() {
   const LocalPose& corner = corners_[next_];
-  const Gears gears = gears_of_leg();
+  const DrivenBeside beside = driven_beside_leg();
   const double dearest = dearest_leg(corner);
-  if (const auto direct = connector_.connect(here(), corner, {.cutoff = dearest, .gears = gears})) {
+  if (const auto direct =
+          connector_.connect(here(), corner, {.cutoff = dearest, .beside = beside})) {
     route_.legs.push_back({direct->piece, corner});
     reach_corner();
     return;
   }
   guide_.emplace(corner);
-  lattice_.emplace(here(), corner, gears, leg_search, *guide_, connector_);
+  lattice_.emplace(here(), corner, beside, leg_search, *guide_, connector_);
   lattice_->set_cutoff(dearest);
   expansions_ = 0;
 }

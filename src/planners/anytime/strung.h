@@ -57,7 +57,7 @@ class Strung {
   bool search_leg();
   void reach_corner();
   [[nodiscard]] double dearest_leg(const LocalPose& corner) const;
-  [[nodiscard]] Gears gears_of_leg() const;
+  [[nodiscard]] DrivenBeside driven_beside_leg() const;
   [[nodiscard]] const LocalPose& here() const;
 
   const Task& task_;

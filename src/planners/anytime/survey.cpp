@@ -215,15 +215,15 @@ bool Survey::lead_through(std::int32_t node) {
   return true;
 }
 
-Gears Survey::gears_around(const Branch& head, std::size_t heads, const Branch& tail,
-                           std::size_t tails) const {
-  Gears gears{forth_.rule().initial_gear, 0};
-  if (heads > 0) gears.before = driven_of(forth_, head.nodes[heads - 1]);
+DrivenBeside Survey::driven_around(const Branch& head, std::size_t heads, const Branch& tail,
+                                   std::size_t tails) const {
+  DrivenBeside beside{forth_.rule().initial_gear, 0};
+  if (heads > 0) beside.before = driven_of(forth_, head.nodes[heads - 1]);
   if (tails > 0) {
-    gears.after = driven_of(forth_, tail.nodes[tails - 1]);
-    gears.after.gear *= -1;
+    beside.after = driven_of(forth_, tail.nodes[tails - 1]);
+    beside.after.gear *= -1;
   }
-  return gears;
+  return beside;
 }
 
 // Joins two branches that end in one cell, but not at one pose: a word replaces some steps of both.
@@ -246,7 +246,7 @@ bool Survey::join(const Branch& head, const Branch& tail) {
       const double cutoff = joint_slack * replaced + least_joint * forth_.radius();
       const std::optional<Connection> joint =
           forth_.connect(head.poses[heads], tail.poses[tails],
-                         {0.0, cutoff, gears_around(head, heads, tail, tails)});
+                         {0.0, cutoff, driven_around(head, heads, tail, tails)});
       if (!joint) continue;
       put_together(head, heads, joint->piece, tail, tails);
       if (is_free()) return true;

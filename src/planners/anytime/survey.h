@@ -62,8 +62,8 @@ class Survey final : public Source {
   [[nodiscard]] static Branch branch(const DriveField& field, const LocalPose& root,
                                      std::int32_t node);
   [[nodiscard]] bool join(const Branch& head, const Branch& tail);
-  [[nodiscard]] Gears gears_around(const Branch& head, std::size_t heads, const Branch& tail,
-                                   std::size_t tails) const;
+  [[nodiscard]] DrivenBeside driven_around(const Branch& head, std::size_t heads,
+                                           const Branch& tail, std::size_t tails) const;
   void put_together(const Branch& head, std::size_t heads, const Piece& joint, const Branch& tail,
                     std::size_t tails);
   [[nodiscard]] bool is_free() const;
