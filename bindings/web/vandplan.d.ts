@@ -4,7 +4,7 @@
 // Plans paths for trucks in a browser or in Node. Units are metres, radians and seconds; headings count
 // counter-clockwise from the x axis. A pose is the midpoint of the rear axle and the heading.
 //
-//   import {load} from './vandplan.mjs';
+//   import {load} from 'vandplan';
 //   const vandplan = await load();
 //   const {path, check} = vandplan.plan(scenario, {time_limit: 0.05});
 
@@ -286,14 +286,21 @@ export interface Result {
 /** Description of a planner. */
 export interface PlannerInfo {
   name: string;
+  /** What it does, in one line. */
   summary: string;
+  /** Family of planners that are built alike, such as "rrt". */
   family: string;
+  /** Estimate that ranks nodes, such as "hlut-2"; or empty. */
   estimate: string;
+  /** Whether prices of driving count; if not, they are refused. */
   honours_prices: boolean;
+  /** Whether paths keep to `gears`. */
   honours_gears: boolean;
+  /** Whether paths keep to `steering`. */
   honours_steering: boolean;
   /** Whether it proves a lower bound on the cost. */
   proves: boolean;
+  /** Options of its own; `standard` is the default. */
   options: {name: string; summary: string; standard: string; range: string}[];
 }
 
@@ -330,6 +337,7 @@ export interface Yard {
 
 /** Functions of the module. All throw `InputError` for wrong input. */
 export interface Vandplan {
+  /** Version of the library, such as "0.1.0". */
   version: string;
   /** All planners, the default one first. */
   planners(): PlannerInfo[];
@@ -337,7 +345,7 @@ export interface Vandplan {
   vehicles(): string[];
   /** Default prices of a style. Those of 'driver' are smaller for a turning radius below 7 m. */
   prices(style: 'driver' | 'shortest', vehicle: Vehicle | string): Prices;
-  /** Plans a path; the judge has checked it. */
+  /** Plans a path; the judge has checked it. A path that was not found is a `status`, no error. */
   plan(scenario: Scenario, options?: PlanOptions & {planner?: string}): Result;
   /** Checks a path with the judge. */
   check(scenario: Scenario, path: Path, claims?: Claims): Check;
@@ -351,7 +359,7 @@ export interface Vandplan {
   trailer(path: Path, vehicle: Vehicle | string, hitchAngle?: number, step?: number): Float64Array;
   /** Pose and hitch angle after a segment. */
   advance(pose: EndPose, vehicle: Vehicle | string, segment: {curvature: number; length: number}): EndPose;
-  /** Shortest path on open ground for a turning radius [m]: Reeds-Shepp, or Dubins without reverse. */
+  /** Shortest path on open ground for a turning radius [m]: Reeds-Shepp, or Dubins without reverse. Headings are in radians. */
   steer(from: Pose, to: Pose, radius: number, options?: {reverse?: boolean}): Segment[];
   /** Paths of all words that join two poses, shortest first. */
   words(from: Pose, to: Pose, radius: number, options?: {reverse?: boolean}): Segment[][];
@@ -368,6 +376,7 @@ export interface Vandplan {
 
 /** Wrong input. `where`: the wrong key ("vehicle.width"). `problem`: the fault and what was expected. */
 export class InputError extends Error {
+  constructor(said: {where: string; problem: string});
   where: string;
   problem: string;
 }
@@ -375,5 +384,5 @@ export class InputError extends Error {
 /** Hash of a path: 16 hexadecimal digits. Paths with equal bits have equal hashes; others almost surely differ. */
 export function hashOf(path: Path): string;
 
-/** Loads the module. It fetches no other file. */
+/** Loads the module, with memory of its own. It fetches nothing but the package's own `core.mjs`. */
 export function load(): Promise<Vandplan>;

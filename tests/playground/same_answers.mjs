@@ -15,7 +15,7 @@ import {fileURLToPath, pathToFileURL} from 'node:url';
 const [playground, program] = process.argv.slice(2, 4).map((path) => resolve(path));
 const timing = process.argv.includes('--timing');
 const require = createRequire(import.meta.url);
-const {load, InputError} = require(join(playground, 'vandplan.cjs'));
+const {load, InputError} = require(join(playground, 'npm/vandplan.cjs'));
 const yaml = require('/usr/share/nodejs/js-yaml/dist/js-yaml.js');
 const scenarios = fileURLToPath(new URL('../../scenarios', import.meta.url));
 const thesis = join(scenarios, 'thesis');
@@ -180,7 +180,7 @@ expect(refused === 'goal_in_collision' && hit.what === 'obstacles' && hit.index 
 expect(vandplan.check({...yard, obstacles: [wall, around(yard)]}, byAngle.path).hit.index === 1, 'so does a path to it');
 expect(byAngle.hit === null && byAngle.check.hit === null, 'nothing is hit where there is a path');
 // The module for pages runs in Node, too.
-const {load: loadModule} = await import(pathToFileURL(join(playground, 'vandplan.mjs')));
+const {load: loadModule} = await import(pathToFileURL(join(playground, 'npm/vandplan.mjs')));
 expect(hashWith(truck, await loadModule()) === hashWith(truck), 'both modules plan the same path');
 
 // A trailer follows: its axle stays as far from the hitch as it is, and what a path of many arcs does, its arcs do.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// Functions for JavaScript. An InputError is returned as {error: {where, problem}}; vandplan.js
+// Functions for JavaScript. An InputError is returned as {error: {where, problem}}; functions.js
 // throws it.
 
 #include <emscripten/bind.h>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// The planner for JavaScript. Types and descriptions: vandplan.d.ts.
+// The functions of the module, for a core that is loaded. Types and descriptions: vandplan.d.ts.
 
 import {vehicles} from 'catalogue';
-import makeCore from 'vandplan-core';
 
 /** Wrong input. `where`: the wrong key. `problem`: the fault and what was expected. */
 export class InputError extends Error {
@@ -59,8 +58,8 @@ class Yard {
   }
 }
 
-/** Functions of the module, for a core that is loaded. */
-function functionsOf(core) {
+/** Functions of the module. */
+export function functionsOf(core) {
   const inYard = (scenario, work) => {
     const yard = new Yard(core, scenario);
     try {
@@ -99,9 +98,4 @@ export function hashOf(path) {
     hash = BigInt.asUintN(64, (hash ^ BigInt(bytes.getUint8(i))) * 0x100000001b3n);
   }
   return hash.toString(16).padStart(16, '0');
-}
-
-/** Loads the module. It needs no other file. */
-export async function load() {
-  return functionsOf(await makeCore());
 }
