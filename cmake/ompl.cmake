@@ -2,7 +2,7 @@
 # for directly. The target vandplan::ompl_library exists if they are there.
 if(NOT TARGET vandplan::ompl_library)
   find_path(VANDPLAN_OMPL_INCLUDE ompl/base/spaces/ReedsSheppStateSpace.h
-            PATH_SUFFIXES ompl-1.5 ompl-1.6 ompl)
+            PATH_SUFFIXES ompl-1.5 ompl-1.6 ompl-1.7 ompl)
   find_path(VANDPLAN_EIGEN_INCLUDE Eigen/Core PATH_SUFFIXES eigen3)
   find_library(VANDPLAN_OMPL_LIBRARY ompl)
   mark_as_advanced(VANDPLAN_OMPL_INCLUDE VANDPLAN_EIGEN_INCLUDE VANDPLAN_OMPL_LIBRARY)
