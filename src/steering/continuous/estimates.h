@@ -105,8 +105,9 @@ struct EndSlack {
 inline bool is_likely(const Complex& direction, double slack, double high, bool is_three_arcs) {
   const double squared = direction.squared();
   const double least = slack * slack + 1e-24;
-  if (direction.im < 0 && (direction.re < 0 || direction.im * direction.im > least * squared))
+  if (direction.im < 0 && (direction.re < 0 || direction.im * direction.im > least * squared)) {
     return false;
+  }
   return direction.re >= 0 || is_three_arcs || direction.re * direction.re <= high * high * squared;
 }
 

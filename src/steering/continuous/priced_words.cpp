@@ -109,8 +109,8 @@ class PricedWords {
           [](const PricedWord& a, const PricedWord& b) { return a.bound < b.bound; });
       if (next->bound >= cutoff_) return;
       const auto word = next->known ? next->known : solved(*next);
-      if (word)
-        cutoff_ = std::min(cutoff_, take(next->mirrored.task, {*word, next->mirrored.onto_task}));
+      const auto& [task, onto_task, frame] = next->mirrored;
+      if (word) cutoff_ = std::min(cutoff_, take(task, {*word, onto_task}));
       *next = words_.back();
       words_.pop_back();
     }
@@ -145,9 +145,8 @@ class PricedWords {
   /// Prices of a word; nothing if its path must cost at least the cutoff.
   [[nodiscard]] std::optional<Pricing> pricing_of(const MirroredTask& task, Formula formula) const {
     const auto pricing = priced(tasks_[task.task], prices_, steps_of(formula), task.onto_task);
-    if (!pricing || is_too_dear(*pricing, bounds_[task.task].reeds_shepp, task))
-      return std::nullopt;
-    return pricing;
+    const double length = bounds_[task.task].reeds_shepp;
+    return pricing && !is_too_dear(*pricing, length, task) ? pricing : std::nullopt;
   }
 
   [[nodiscard]] bool is_too_dear(const Pricing& pricing, double length,
