@@ -105,9 +105,10 @@ bool GrownTree::keep_way(const Adoption& to_goal) {
     const std::optional<Piece> piece = rig_->steer(states[i], states[i - 1]);
     way.insert(way.end(), piece->view().begin(), piece->view().end());
   }
-  commands::Closer closer(task_.vehicle);
-  if (!closer.close(state(0), way, goal())) return false;
-  std::erase_if(way, [](const Segment& segment) { return segment.length == 0.0; });
+  const commands::Wheels wheels(task_.vehicle, Steering::reeds_shepp);
+  std::vector<commands::Command> chain = wheels.commands(way, {});
+  if (!commands::Closer(task_.vehicle).close(state(0), chain, goal())) return false;
+  way = wheels.driven(chain, {});
   if (!task_.checker->rig_is_free(Local(state(0)), way)) return false;
   way_ = std::move(way);
   return true;

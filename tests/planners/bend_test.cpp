@@ -26,7 +26,7 @@ namespace vandplan {
 namespace {
 
 using anytime::Bender;
-using commands::DriveShortener;
+using commands::Command, commands::DriveShortener;
 using search::CostRule, search::Driven, search::Route;
 
 constexpr std::array kinds = {Steering::reeds_shepp, Steering::continuous_between_stops,
@@ -65,8 +65,8 @@ double price_of(std::span<const Segment> segments) {
   return drive_cost(priced, segments, driven);
 }
 
-std::vector<Segment> random_commands(int count, Rng& rng) {
-  std::vector<Segment> commands;
+std::vector<Command> random_commands(int count, Rng& rng) {
+  std::vector<Command> commands;
   for (int i = 0; i < count; ++i) {
     commands.push_back({uniform(-1, 1, rng) / radius, any_sign(uniform(0.2, 8, rng), rng)});
   }
@@ -97,7 +97,7 @@ TEST(CloserLaw, ADriveWithoutATrailerIsBentUntilItEndsThere) {
     commands::Closer closer(vehicle, steering);
     int closed = 0, tried = 0;
     for_each_case(1, 300, [&](Rng& rng) {
-      std::vector<Segment> commands = random_commands(6, rng);
+      std::vector<Command> commands = random_commands(6, rng);
       const Path first{{uniform(-9, 9, rng), 2, uniform(-3, 3, rng)},
                        wheels.driven(commands, begin_of(steering).before)};
       Pose to = end_of(first);
@@ -138,10 +138,10 @@ TEST(DriveShortenerLaw, IsNeverDearerNorMoreCrumbly) {
   for (const Steering steering : kinds) {
     for_each_case(2, 12, [&](Rng& rng) {
       const commands::Wheels wheels(Vehicle{}, steering);
-      const std::vector<Segment> commands = random_commands(7, rng);
+      const std::vector<Command> commands = random_commands(7, rng);
       // With `continuous` the wheels are straight at both ends.
       const bool is_free = steering != Steering::continuous;
-      std::vector<Segment> ended = commands;
+      std::vector<Command> ended = commands;
       if (!is_free) ended.push_back({0, std::copysign(4, commands.back().length)});
       const Path path{{1, 2, uniform(-3, 3, rng)}, wheels.driven(ended, begin_of(steering).before)};
       const Problem problem = problem_along(path);
@@ -175,7 +175,7 @@ TEST(DriveShortenerLaw, KnowsWhatIsNear) {
   const CostRule careful{.gear_change_cost = 5, .clearance_weight = 2, .clearance_distance = 3};
   for_each_case(9, 20, [&](Rng& rng) {
     const commands::Wheels wheels(Vehicle{}, Steering::continuous_between_stops);
-    std::vector<Segment> commands = random_commands(8, rng);
+    std::vector<Command> commands = random_commands(8, rng);
     const Path path{{1, 2, 0}, wheels.driven(commands, {})};
     double top = path.start.y;
     Pose pose = path.start;
@@ -211,7 +211,7 @@ TEST(DriveShortenerLaw, KnowsWhatIsNear) {
 TEST(DriveShortener, SweepsAFreshDriveFirst) {
   for (const Steering steering : kinds) {
     const commands::Wheels wheels(Vehicle{}, steering);
-    std::vector<Segment> commands = {{0.1, 15}, {-0.1, 15}, {0.1, 15}, {0, 6}, {0.002, 6}};
+    std::vector<Command> commands = {{0.1, 15}, {-0.1, 15}, {0.1, 15}, {0, 6}, {0.002, 6}};
     for (const double curvature : {0.08, -0.08, -0.08, 0.08, 0.0}) {
       commands.push_back({curvature, 6});
     }
@@ -242,7 +242,7 @@ TEST(DriveShortenerLaw, LetsNoErrorsAddUp) {
   int kept = 0;
   for_each_case(4, 3, [&](Rng& rng) {
     const commands::Wheels wheels(Vehicle{}, Steering::continuous_between_stops);
-    std::vector<Segment> commands;
+    std::vector<Command> commands;
     for (int i = 0; i < 60; ++i) commands.push_back({uniform(-0.2, 0.2, rng) / radius, 15});
     const Path path{{1, 2, 0}, wheels.driven(commands, {})};
     const Problem problem =
@@ -263,12 +263,12 @@ TEST(DriveShortenerLaw, LetsNoErrorsAddUp) {
 
 TEST(DriveShortener, DropsCrumbs) {
   const commands::Wheels wheels(Vehicle{}, Steering::continuous_between_stops);
-  const std::vector<std::vector<Segment>> crumbly = {
+  const std::vector<std::vector<Command>> crumbly = {
       {{0.1, 8}, {0.1002, 6}, {-0.05, 9}},            // the wheels turn for some millimetres
       {{0.1, 8}, {0, 7}, {0.1, 0.005}, {-0.05, -6}},  // a command of next to no length
       {{0.05, 5}, {0.0501, 6}, {0.0502, 7}, {-0.03, 9}, {0.02, -8}},  // one after another
   };
-  for (const std::vector<Segment>& commands : crumbly) {
+  for (const std::vector<Command>& commands : crumbly) {
     const Path path{{0, 0, 0}, wheels.driven(commands, {})};
     ASSERT_GT(crumbs(path.segments), 0);
     const Problem problem = problem_along(path);
@@ -285,8 +285,9 @@ TEST(DriveShortener, DropsCrumbs) {
 
 // Where everything else is dearer a crumb stays.
 TEST(DriveShortener, LeavesACrumbWhereItIsWorthIt) {
-  const std::vector<Segment> commands = {{0.1, 8}, {0, 7}, {0.1, 0.05}, {-0.05, -6}};
-  const Path path{{0, 0, 0}, commands};
+  const std::vector<Command> commands = {{0.1, 8}, {0, 7}, {0.1, 0.05}, {-0.05, -6}};
+  const Path path{{0, 0, 0},
+                  commands::Wheels(Vehicle{}, Steering::reeds_shepp).driven(commands, {})};
   const Pose end = end_of(path);
   const Problem problem = problem_along(path, {box(end.x - 40, -20, end.x - 39.9, -19.9)});
   const Task task = task_of(problem, {}, Steering::reeds_shepp);

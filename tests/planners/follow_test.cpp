@@ -62,7 +62,7 @@ std::optional<Path> followed(const Task& task, std::span<const Segment> way, int
   int count = 0;
   while (follower.step()) ++count;
   if (steps != nullptr) *steps = count;
-  const std::optional<std::vector<Segment>> drive = follower.drive();
+  const auto drive = follower.drive();
   if (!drive) return std::nullopt;
   EXPECT_GT(follower.checks(), 0);
   const commands::Wheels wheels(task.vehicle, task.steering);

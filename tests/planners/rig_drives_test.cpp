@@ -23,20 +23,20 @@ namespace {
 
 using std::numbers::pi;
 
-/// Where the commands lead from the start of the task.
-RigState end_of(const Task& task, std::span<const Segment> commands) {
+/// Where the segments lead from the start of the task.
+RigState end_of(const Task& task, std::span<const Segment> segments) {
   RigState state{task.start, task.hitch_angles.start};
-  for (const Segment& command : commands) state = advance(task.vehicle, state, command);
+  for (const Segment& segment : segments) state = advance(task.vehicle, state, segment);
   return state;
 }
 
-void expect_free_drive_to_goal(const Task& task, std::span<const Segment> commands) {
-  const RigState end = end_of(task, commands);
+void expect_free_drive_to_goal(const Task& task, std::span<const Segment> segments) {
+  const RigState end = end_of(task, segments);
   EXPECT_LT(std::hypot(end.pose.x - task.goal.x, end.pose.y - task.goal.y), 1e-6);
   EXPECT_NEAR(std::remainder(end.pose.heading - task.goal.heading, 2 * pi), 0, 1e-6);
   EXPECT_NEAR(end.hitch_angle, task.hitch_angles.goal, 1e-6);
   EXPECT_TRUE(
-      task.checker->rig_is_free(Local(RigState{task.start, task.hitch_angles.start}), commands));
+      task.checker->rig_is_free(Local(RigState{task.start, task.hitch_angles.start}), segments));
 }
 
 /// Blocks of 70 m with streets of 14 m between them.
@@ -53,7 +53,7 @@ Problem blocks(Pose goal) {
   return make_problem(scenario);
 }
 
-/// The commands of a drive along the first path of the tractor; none if there is none.
+/// The segments of a drive along the first path of the tractor; none if there is none.
 std::optional<std::vector<Segment>> followed(const Problem& problem) {
   const PlanOptions options = complete(default_planner(), {}, problem.vehicle());
   const planning::Pricing pricing(problem.task(), options.cost);
@@ -62,7 +62,10 @@ std::optional<std::vector<Segment>> followed(const Problem& problem) {
   const search::Budget budget({});
   for (std::int64_t done = 0; done < 2 * work;) {
     done += source.work(2 * work - done, budget);
-    if (auto found = source.take_found()) return std::move(found->commands);
+    if (const auto found = source.take_found()) {
+      return commands::Wheels(problem.vehicle(), problem.task().steering)
+          .driven(found->commands, {});
+    }
   }
   return std::nullopt;
 }

@@ -580,12 +580,12 @@ TEST(RigPlanning, FollowsItsTractorOverAWholeSite) {
 
 // ---- Closing a gap ----
 
-/// From a state along segments to where they lead.
-bool closes(const RigState& from, std::vector<Segment> segments) {
+/// From a state along commands to where they lead.
+bool closes(const RigState& from, std::vector<commands::Command> commands) {
   const Vehicle vehicle = semitrailer();
   RigState end = from;
-  for (const Segment& segment : segments) end = advance(vehicle, end, segment);
-  return commands::Closer(vehicle).close(from, segments, end);
+  for (const auto& command : commands) end = advance(vehicle, end, command.at_once());
+  return commands::Closer(vehicle).close(from, commands, end);
 }
 
 TEST(Closer, RefusesWhatRoundingWouldBend) {
@@ -608,14 +608,15 @@ TEST(CloserLaw, ADriveIsBentUntilItEndsThere) {
   for_each_case(1, 300, [&](Rng& rng) {
     const Vehicle vehicle = semitrailer();
     commands::Closer closer(vehicle);
-    std::vector<Segment> segments;
+    std::vector<commands::Command> commands;
     RigState end{{0, 0, 0}, uniform(-0.3, 0.3, rng)};
     const RigState start = end;
     double largest = 0;
     for (int i = 0; i < 8; ++i) {
-      segments.push_back({uniform(-0.13, 0.13, rng), any_sign(uniform(1, 5, rng), rng)});
-      largest = std::max(largest, largest_hitch_angle(vehicle, end.hitch_angle, segments.back()));
-      end = advance(vehicle, end, segments.back());
+      commands.push_back({uniform(-0.13, 0.13, rng), any_sign(uniform(1, 5, rng), rng)});
+      const Segment segment = commands.back().at_once();
+      largest = std::max(largest, largest_hitch_angle(vehicle, end.hitch_angle, segment));
+      end = advance(vehicle, end, segment);
     }
     if (largest > 0.9) return;
     ++tried;
@@ -623,10 +624,11 @@ TEST(CloserLaw, ADriveIsBentUntilItEndsThere) {
     end.pose.y += uniform(-0.5, 0.5, rng);
     end.pose.heading += uniform(-0.1, 0.1, rng);
     end.hitch_angle += uniform(-0.1, 0.1, rng);
-    if (!closer.close(start, segments, end)) return;
+    if (!closer.close(start, commands, end)) return;
     ++closed;
     RigState state = start;
-    for (const Segment& segment : segments) {
+    for (const commands::Command& command : commands) {
+      const Segment segment = command.at_once();
       EXPECT_LE(std::abs(segment.curvature), 1 / 5.9);
       EXPECT_LE(largest_hitch_angle(vehicle, state.hitch_angle, segment), 1.2);
       state = advance(vehicle, state, segment);

@@ -80,7 +80,7 @@ bool Bender::challenge(std::size_t i) {
   return true;
 }
 
-void Bender::add(std::span<const Segment> drive) {
+void Bender::add(std::span<const commands::Command> drive) {
   if (challengers_.size() == max_challenging) {
     std::size_t worst = 0;
     for (std::size_t i = 1; i < challengers_.size(); ++i) {
@@ -109,7 +109,7 @@ bool Bender::begin() {
 bool Bender::follow() {
   if (follower_.step()) return false;
   is_following_ = false;
-  const std::optional<std::vector<Segment>> drive = follower_.drive();
+  const auto drive = follower_.drive();
   if (!drive) return false;
   add(*drive);
   return challenge(challengers_.size() - 1);

@@ -69,7 +69,7 @@ class Bender {
 
   void wait(Waiting route);
   [[nodiscard]] bool drive_along(std::span<const Segment> segments);
-  void add(std::span<const Segment> drive);
+  void add(std::span<const commands::Command> drive);
   bool begin();
   bool follow();
   bool challenge(std::size_t i);

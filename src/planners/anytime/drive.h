@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "planners/commands/wheels.h"
 #include "search/route.h"
 
 namespace vandplan::anytime {
@@ -14,7 +15,7 @@ namespace vandplan::anytime {
 /// Drive from the start to the goal.
 struct Drive {
   /// Commands of the wheels; empty if the segments follow a route.
-  std::vector<Segment> commands;
+  std::vector<commands::Command> commands;
   /// Segments that are driven; empty if only the commands are known.
   std::vector<Segment> segments;
   std::optional<search::Route> route;  ///< route that `segments` follow, if it is known

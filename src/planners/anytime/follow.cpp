@@ -12,6 +12,7 @@
 namespace vandplan::anytime {
 namespace {
 
+using commands::Command;
 using search::Driven, search::gear_of;
 
 /// Stages, counted from the last, where a part may begin.
@@ -70,13 +71,13 @@ void Follower::follow(std::span<const Segment> way) {
   idle_ = 0;
 }
 
-std::optional<std::vector<Segment>> Follower::drive() const {
+std::optional<std::vector<Command>> Follower::drive() const {
   if (left_ > 0.0) return std::nullopt;
   return drive_;
 }
 
 /// Length of the blocked segments of commands [m]; any larger number above `most`.
-double Follower::blocked(std::span<const Segment> commands, LocalPose pose, Driven driven,
+double Follower::blocked(std::span<const Command> commands, LocalPose pose, Driven driven,
                          double most) {
   double sum = 0.0;
   for (const Segment& segment : wheels_.driven(commands, driven)) {
@@ -101,7 +102,7 @@ bool Follower::lead(Part& part) {
 
 void Follower::take(const Part& part) {
   Driven driven = part.from.driven;
-  for (const Segment& command : part.commands) (void)wheels_.obey(command, driven);
+  for (const Command& command : part.commands) (void)wheels_.obey(command, driven);
   while (stages_.back().commands > part.from.commands) stages_.pop_back();
   drive_.resize(part.from.commands);
   drive_.insert(drive_.end(), part.commands.begin(), part.commands.end());
@@ -164,11 +165,11 @@ Follower::Window Follower::any_window() {
 /// Changes some commands at random, and keeps that if no more metres are blocked.
 void Follower::shake() {
   const auto [first, last] = any_window();
-  const std::span<Segment> old = std::span(drive_).subspan(first, last - first);
-  std::vector<Segment> trial(old.begin(), old.end());
+  const std::span<Command> old = std::span(drive_).subspan(first, last - first);
+  std::vector<Command> trial(old.begin(), old.end());
   const double scale = std::exp2(uniform(-6.0, -1.0, rng_));
   const double radius = task_.vehicle.min_turning_radius;
-  for (Segment& command : trial) {
+  for (Command& command : trial) {
     const double curvature = command.curvature + scale * uniform(-1.0, 1.0, rng_) / radius;
     command.curvature = std::clamp(curvature, -1 / radius, 1 / radius);
     const double longer = std::abs(command.length) + scale * uniform(-1.0, 1.0, rng_) * radius;
@@ -177,7 +178,7 @@ void Follower::shake() {
   const commands::WheelEnds ends = wheels_.ends_of_part(drive_, driven_, first, last, ends_);
   if (!closer_.close({poses_[first], 0.0}, trial, {poses_[last], 0.0}, ends)) return;
   Driven behind = driven_[first];
-  for (const Segment& command : trial) (void)wheels_.obey(command, behind);
+  for (const Command& command : trial) (void)wheels_.obey(command, behind);
   // A stroke is gone: the wheels may not turn there any more.
   if (behind.gear != driven_[last].gear) return;
   const auto of_window = std::span(blocked_).subspan(first, last - first);

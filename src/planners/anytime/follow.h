@@ -30,7 +30,7 @@ class Follower {
   /// Works for some ten microseconds; false when nothing is left to do.
   bool step();
   /// Commands of a free drive from the start of the task to its goal; none if none was found.
-  [[nodiscard]] std::optional<std::vector<Segment>> drive() const;
+  [[nodiscard]] std::optional<std::vector<commands::Command>> drive() const;
   /// Segments checked for collisions.
   [[nodiscard]] std::int64_t checks() const { return checks_; }
 
@@ -52,7 +52,7 @@ class Follower {
   struct Part {
     Stage from;
     std::size_t cut = 0;
-    std::vector<Segment> commands;
+    std::vector<commands::Command> commands;
     double blocked = 0.0;  // length of the blocked segments [m]
   };
 
@@ -67,7 +67,7 @@ class Follower {
   void take(const Part& part);
   void measure(std::size_t first, std::size_t last);
   [[nodiscard]] Window any_window();
-  [[nodiscard]] double blocked(std::span<const Segment> commands, LocalPose pose,
+  [[nodiscard]] double blocked(std::span<const commands::Command> commands, LocalPose pose,
                                search::Driven driven, double most);
   void shake();
 
@@ -83,7 +83,7 @@ class Follower {
   std::size_t tried_ = 0;       // cuts tried in vain, from `next_` on
   std::optional<Part> nearly_;  // part to the next cuts that is blocked least, if none is free
   std::vector<Stage> stages_;   // stages where the parts of the drive begin
-  std::vector<Segment> drive_;  // commands of the drive
+  std::vector<commands::Command> drive_;  // commands of the drive
   /// Poses before each command of the drive, and at its end.
   std::vector<LocalPose> poses_;
   /// Gears and curvatures before each command of the drive, and at its end.

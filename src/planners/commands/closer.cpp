@@ -28,9 +28,9 @@ std::array<double, 4> sum(const std::array<double, 4>& a, double factor,
 }
 
 /// Makes a command long enough for the wheels to reach its curvature.
-void lengthen(const Wheels& wheels, const search::Driven& before, Segment& command) {
+void lengthen(const Wheels& wheels, const search::Driven& before, Command& command) {
   const bool rolls_on = command.length == 0.0 && before.gear != 0;
-  const search::GearSign gear = rolls_on ? before.gear : search::gear_of(command);
+  const search::GearSign gear = rolls_on ? before.gear : gear_of(command);
   if (wheels.may_jump(before, gear)) return;
   const double least = wheels.way(before.curvature, command.curvature);
   if (std::abs(command.length) < least) command.length = gear * least;
@@ -76,13 +76,13 @@ Closer::Place Closer::place_after(const Place& from, const Segment& segment) con
       hitch_angle};
 }
 
-void Closer::drive(const RigState& from, std::span<Segment> commands, const WheelEnds& ends) {
+void Closer::drive(const RigState& from, std::span<Command> commands, const WheelEnds& ends) {
   const auto [sin, cos] = base::sin_cos(from.pose.heading);
   places_.assign(1, {from.pose, sin, cos, from.hitch_angle});
   obeyed_.clear();
   between_.clear();
   search::Driven driven = ends.before;
-  for (Segment& command : commands) {
+  for (Command& command : commands) {
     if (ends.after && &command == &commands.back()) {
       command.curvature = *ends.after;
       lengthen(wheels_, driven, command);
@@ -139,7 +139,7 @@ Closer::Change Closer::change(const Place& first, const Segment& segment, const 
 /// Step B: derivatives of the end by each command. The curvature of a command bends its arc and the
 /// clothoid of the next command. If the wheels do not reach the curvature, the length of the
 /// command decides how far they turn.
-void Closer::differentiate(std::span<const Segment> commands, const WheelEnds& ends) {
+void Closer::differentiate(std::span<const Command> commands, const WheelEnds& ends) {
   columns_.assign(commands.size(), {});
   double passed_on = 1.0;  // derivative of the last hitch angle by that after the command
   Vector by_wheels = {};   // derivative of the end by the curvature after the command
@@ -147,7 +147,7 @@ void Closer::differentiate(std::span<const Segment> commands, const WheelEnds& e
     const Obeyed& obeyed = obeyed_[i];
     Column& column = columns_[i];
     const bool is_gone = obeyed.count == 0;
-    const Segment last = is_gone ? commands[i] : obeyed.segments[obeyed.count - 1U];
+    const Segment last = is_gone ? commands[i].at_once() : obeyed.segments[obeyed.count - 1U];
     const Change at_end = change(between_[i], last, places_[i + 1], passed_on);
     column.length = at_end.stretch;
     if (is_gone) continue;
@@ -213,7 +213,7 @@ bool Closer::solve(const Vector& gap, Vector& multipliers) const {
 
 /// Step D: changes all commands at once. A curvature or length that would leave its limits is held
 /// at the limit.
-bool Closer::step(std::span<Segment> commands, const Vector& gap) {
+bool Closer::step(std::span<Command> commands, const Vector& gap) {
   const auto dot = [](const Vector& a, const Vector& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
   };
@@ -223,7 +223,7 @@ bool Closer::step(std::span<Segment> commands, const Vector& gap) {
     bool is_final = true;
     for (std::size_t i = 0; i < commands.size(); ++i) {
       Column& column = columns_[i];
-      const auto& [curvature, length, rate] = commands[i];
+      const auto& [curvature, length] = commands[i];
       const double bent = dot(column.curvature, multipliers);
       const bool is_sharp = std::abs(curvature) >= most_curvature_ && bent * curvature > 0.0;
       const bool is_gone = length == 0.0;
@@ -247,7 +247,7 @@ bool Closer::step(std::span<Segment> commands, const Vector& gap) {
   }
   for (std::size_t i = 0; i < commands.size(); ++i) {
     const Column& column = columns_[i];
-    auto& [curvature, length, rate] = commands[i];
+    auto& [curvature, length] = commands[i];
     if (!column.curvature_is_fixed) {
       curvature += curvature_unit_ * curvature_unit_ * dot(column.curvature, multipliers) / most;
       curvature = std::clamp(curvature, -most_curvature_, most_curvature_);
@@ -297,7 +297,7 @@ bool Closer::is_steady() const {
   return true;
 }
 
-bool Closer::close(const RigState& from, std::span<Segment> commands, const RigState& to,
+bool Closer::close(const RigState& from, std::span<Command> commands, const RigState& to,
                    const WheelEnds& ends) {
   for (int i = 0; i < most_iterations; ++i) {
     drive(from, commands, ends);
@@ -312,7 +312,7 @@ bool Closer::close(const RigState& from, std::span<Segment> commands, const RigS
   return false;
 }
 
-std::optional<std::vector<Segment>> obeyed(const Task& task, std::vector<Segment> commands) {
+std::optional<std::vector<Command>> obeyed(const Task& task, std::vector<Command> commands) {
   const WheelEnds ends = wheel_ends(task);
   const RigState from{task.start, task.hitch_angles.start};
   const RigState to{task.goal, task.hitch_angles.goal};
@@ -322,10 +322,10 @@ std::optional<std::vector<Segment>> obeyed(const Task& task, std::vector<Segment
   return is_free ? std::optional(std::move(commands)) : std::nullopt;
 }
 
-std::optional<std::vector<Segment>> commands_along(const Task& task,
+std::optional<std::vector<Command>> commands_along(const Task& task,
                                                    std::span<const Segment> segments) {
   const Wheels wheels(task.vehicle, task.steering);
-  std::vector<Segment> commands = wheels.commands(segments, wheel_ends(task));
+  std::vector<Command> commands = wheels.commands(segments, wheel_ends(task));
   hold_curvatures(commands, task.vehicle.min_turning_radius);
   if (commands.empty()) return std::nullopt;
   return obeyed(task, std::move(commands));

@@ -27,7 +27,7 @@ class Closer {
   /// succeeded: curvatures and hitch angles are within their limits, gears are as before, the
   /// wheels are as `ends` says, and no rounding error of a hitch angle grows by more than 10^4 on
   /// the way. If false, the commands are of no use. A command may end up without length.
-  [[nodiscard]] bool close(const RigState& from, std::span<Segment> commands, const RigState& to,
+  [[nodiscard]] bool close(const RigState& from, std::span<Command> commands, const RigState& to,
                            const WheelEnds& ends = {});
 
   /// State before command `i` of the commands that were closed last.
@@ -55,14 +55,14 @@ class Closer {
     Vector bend, stretch;
   };
 
-  void drive(const RigState& from, std::span<Segment> commands, const WheelEnds& ends);
+  void drive(const RigState& from, std::span<Command> commands, const WheelEnds& ends);
   [[nodiscard]] Vector gap(const RigState& to) const;
   [[nodiscard]] Place place_after(const Place& from, const Segment& segment) const;
   [[nodiscard]] Change change(const Place& first, const Segment& segment, const Place& last,
                               double& passed_on) const;
-  void differentiate(std::span<const Segment> commands, const WheelEnds& ends);
+  void differentiate(std::span<const Command> commands, const WheelEnds& ends);
   [[nodiscard]] bool solve(const Vector& gap, Vector& multipliers) const;
-  [[nodiscard]] bool step(std::span<Segment> commands, const Vector& gap);
+  [[nodiscard]] bool step(std::span<Command> commands, const Vector& gap);
   [[nodiscard]] bool is_held() const;
   [[nodiscard]] bool is_steady() const;
 
@@ -79,11 +79,11 @@ class Closer {
 };
 
 /// Commands of a free drive of the task, near those given; none if none are found.
-[[nodiscard]] std::optional<std::vector<Segment>> obeyed(const Task& task,
-                                                         std::vector<Segment> commands);
+[[nodiscard]] std::optional<std::vector<Command>> obeyed(const Task& task,
+                                                         std::vector<Command> commands);
 
 /// Commands of a free drive of the task along the segments; none if none are found.
-[[nodiscard]] std::optional<std::vector<Segment>> commands_along(const Task& task,
+[[nodiscard]] std::optional<std::vector<Command>> commands_along(const Task& task,
                                                                  std::span<const Segment> segments);
 
 }  // namespace vandplan::commands

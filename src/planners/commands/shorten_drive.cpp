@@ -24,7 +24,8 @@ double sum(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-bool are_equal(std::span<const Segment> a, std::span<const Segment> b) {
+template <class T>
+bool are_equal(std::span<const T> a, std::span<const T> b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end());
 }
 
@@ -39,7 +40,7 @@ void put(std::vector<T>& values, std::size_t first, std::size_t last, std::span<
 }  // namespace
 
 DriveShortener::DriveShortener(const Task& task, const search::CostRule& rule,
-                               std::span<const Segment> commands, std::uint64_t seed,
+                               std::span<const Command> commands, std::uint64_t seed,
                                Measure measure)
     : task_(task),
       rule_(rule),
@@ -66,7 +67,7 @@ void DriveShortener::drive(std::vector<double> near) {
               .near = std::move(near)};
   if (!is_known) driving_.near.clear();
   search::Driven priced = rule_.initial_gear;
-  for (const Segment& command : commands_) {
+  for (const Command& command : commands_) {
     RigState state = driving_.states.back();
     search::Driven driven = driving_.driven.back();
     const Obeyed obeyed = wheels_.obey(command, driven);
@@ -114,10 +115,10 @@ void DriveShortener::shake(const Window& window) {
   const double some = uniform(0.2, 1.0, rng_);
   const double shrink = uniform(0.0, 1.0, rng_);
   for (std::size_t i = window.first; i < window.last; ++i) {
-    Segment& segment = trial_[i - window.first];
+    Command& command = trial_[i - window.first];
     if (uniform01(rng_) > some) continue;
-    segment.length *= std::max(0.0, 1 + size * (uniform(-1.0, 1.0, rng_) - shrink));
-    segment.curvature = std::clamp(segment.curvature + size * sharpest * uniform(-1.0, 1.0, rng_),
+    command.length *= std::max(0.0, 1 + size * (uniform(-1.0, 1.0, rng_) - shrink));
+    command.curvature = std::clamp(command.curvature + size * sharpest * uniform(-1.0, 1.0, rng_),
                                    -sharpest, sharpest);
   }
 }
@@ -141,8 +142,8 @@ void DriveShortener::split(const Window& window) {
   const double part = uniform01(rng_);
   const double sharpest = 1 / task_.vehicle.min_turning_radius;
   const double apart = any_size() * sharpest * (uniform01(rng_) < 0.5 ? -1 : 1);
-  Segment& first = trial_[at];
-  Segment second = first;
+  Command& first = trial_[at];
+  Command second = first;
   first.length *= part;
   first.curvature = std::clamp(first.curvature - apart * (1 - part), -sharpest, sharpest);
   second.length *= 1 - part;
@@ -165,7 +166,7 @@ void DriveShortener::price_trial(const Window& window) {
   tried_.prices.clear();
   segments_.clear();
   segments_at_.clear();
-  for (const Segment& command : trial_) {
+  for (const Command& command : trial_) {
     const Obeyed obeyed = wheels_.obey(command, driven);
     tried_.prices.push_back(search::drive_cost(rule_, obeyed.view(), priced));
     tried_.driven.push_back(driven);
@@ -174,7 +175,7 @@ void DriveShortener::price_trial(const Window& window) {
   }
   goes_on_ = true;
   if (window.last == commands_.size()) return;
-  const Segment& next = commands_[window.last];
+  const Command& next = commands_[window.last];
   search::Driven as_ever = driving_.driven[window.last];
   const Obeyed obeyed = wheels_.obey(next, driven);
   const Obeyed as_before = wheels_.obey(next, as_ever);
@@ -228,14 +229,14 @@ bool DriveShortener::replace(const Window& window, double limit) {
   if (!looks_at_near(window, left_for_near(window, limit))) return false;
   const auto [first, last] = window;
   if (measure_ || task_.vehicle.trailer || !goes_on_) {
-    std::vector<Segment> whole = commands_;
+    std::vector<Command> whole = commands_;
     std::vector<double> near = driving_.near;
-    put<Segment>(whole, first, last, trial_);
+    put<Command>(whole, first, last, trial_);
     put<double>(near, first, last, tried_.near);
     return settle(std::move(whole), std::move(near), limit);
   }
   if (last < commands_.size()) driving_.prices[last] = next_price_;
-  put<Segment>(commands_, first, last, trial_);
+  put<Command>(commands_, first, last, trial_);
   put<RigState>(driving_.states, first, last + 1, tried_.states);
   put<search::Driven>(driving_.driven, first, last + 1, tried_.driven);
   put<double>(driving_.prices, first, last, tried_.prices);
@@ -245,7 +246,7 @@ bool DriveShortener::replace(const Window& window, double limit) {
 }
 
 /// Closes a whole chain and takes it if it is free and costs less than `limit`.
-bool DriveShortener::settle(std::vector<Segment> whole, std::vector<double> near, double limit) {
+bool DriveShortener::settle(std::vector<Command> whole, std::vector<double> near, double limit) {
   const RigState from{task_.start, task_.hitch_angles.start};
   const RigState to{task_.goal, task_.hitch_angles.goal};
   whole = wheels_.tidied(whole, ends_.before);
@@ -290,7 +291,7 @@ bool DriveShortener::sweep() {
   if (swept_ >= commands_.size()) swept_ = 0;
   const Window window{swept_ - std::min(swept_, reach_of_sweep),
                       std::min(commands_.size(), swept_ + 1 + reach_of_sweep)};
-  const std::span<const Segment> old = in(window);
+  const std::span<const Command> old = in(window);
   trial_.assign(old.begin(), old.end());
   trial_.erase(trial_.begin() + static_cast<std::ptrdiff_t>(swept_ - window.first));
   const bool is_better = try_trial(window, cost_ * (1 - swept_gain));
@@ -302,7 +303,7 @@ bool DriveShortener::sweep() {
 /// Changes some commands at random.
 bool DriveShortener::try_anything() {
   const Window window = any_window();
-  const std::span<const Segment> old = in(window);
+  const std::span<const Command> old = in(window);
   trial_.assign(old.begin(), old.end());
   const double kind = uniform01(rng_);
   const bool leaves_out = kind > 0.8;
@@ -313,7 +314,7 @@ bool DriveShortener::try_anything() {
   } else {
     shake(window);
   }
-  if (trial_.size() < 2 || are_equal(trial_, old)) return false;
+  if (trial_.size() < 2 || are_equal<Command>(trial_, old)) return false;
   const bool is_better = try_trial(window, cost_);
   if (!leaves_out) size_ = std::clamp(size_ * (is_better ? 1.3 : 0.99), 0.02, 1.0);
   return is_better;
@@ -321,10 +322,10 @@ bool DriveShortener::try_anything() {
 
 /// Number of segments shorter than a crumb in the trial, less that in the window.
 int DriveShortener::more_crumbs(const Window& window) const {
-  const auto crumbs = [&](std::span<const Segment> commands) {
+  const auto crumbs = [&](std::span<const Command> commands) {
     search::Driven driven = driving_.driven[window.first];
     int count = 0;
-    for (const Segment& command : commands) {
+    for (const Command& command : commands) {
       const Obeyed obeyed = wheels_.obey(command, driven);
       for (const Segment& segment : obeyed.view()) count += std::abs(segment.length) < crumb_;
     }
@@ -338,12 +339,12 @@ int DriveShortener::more_crumbs(const Window& window) const {
 bool DriveShortener::drop(std::size_t i, double limit) {
   const Window window{i - std::min(i, reach), std::min(commands_.size(), i + 1 + reach)};
   for (const bool joins : {true, false}) {
-    const std::span<const Segment> old = in(window);
+    const std::span<const Command> old = in(window);
     trial_.assign(old.begin(), old.end());
     const auto at = trial_.begin() + static_cast<std::ptrdiff_t>(i - window.first);
     if (joins) {
       if (at == trial_.begin() || at->length * (at - 1)->length < 0.0) continue;
-      Segment& before = *(at - 1);
+      Command& before = *(at - 1);
       const double whole = before.length + at->length;
       before = {std::lerp(before.curvature, at->curvature, at->length / whole), whole};
     }

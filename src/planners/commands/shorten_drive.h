@@ -24,7 +24,7 @@ class DriveShortener {
 
   /// The task and the rule outlive the shortener. The commands are a free drive from the start of
   /// the task to its goal.
-  DriveShortener(const Task& task, const search::CostRule& rule, std::span<const Segment> commands,
+  DriveShortener(const Task& task, const search::CostRule& rule, std::span<const Command> commands,
                  std::uint64_t seed, Measure measure = {});
 
   /// One trial. True when the drive got cheaper.
@@ -35,7 +35,7 @@ class DriveShortener {
   void drop_crumbs();
 
   [[nodiscard]] double cost() const { return cost_; }
-  [[nodiscard]] const std::vector<Segment>& commands() const { return commands_; }
+  [[nodiscard]] const std::vector<Command>& commands() const { return commands_; }
   /// The segments of the drive, which ends at the goal.
   [[nodiscard]] std::vector<Segment> segments() const {
     return merged(wheels_.driven(commands_, ends_.before));
@@ -73,8 +73,8 @@ class DriveShortener {
   [[nodiscard]] double left_for_near(const Window& window, double limit) const;
   [[nodiscard]] bool looks_at_near(const Window& window, double left);
   bool replace(const Window& window, double limit);
-  bool settle(std::vector<Segment> whole, std::vector<double> near, double limit);
-  [[nodiscard]] std::span<const Segment> in(const Window& window) const {
+  bool settle(std::vector<Command> whole, std::vector<double> near, double limit);
+  [[nodiscard]] std::span<const Command> in(const Window& window) const {
     return std::span(commands_).subspan(window.first, window.last - window.first);
   }
   [[nodiscard]] int more_crumbs(const Window& window) const;
@@ -88,10 +88,10 @@ class DriveShortener {
   WheelEnds ends_;
   Closer closer_;
   double crumb_;
-  std::vector<Segment> commands_;
+  std::vector<Command> commands_;
   Driving driving_;
   double cost_ = 0.0;
-  std::vector<Segment> trial_;            // commands in the place of a window
+  std::vector<Command> trial_;            // commands in the place of a window
   Driving tried_;                         // states, gears and costs along the trial
   std::vector<Segment> segments_;         // segments of the trial
   std::vector<std::size_t> segments_at_;  // number of segments of each command of the trial

@@ -18,8 +18,8 @@ constexpr double first_arc = 5e-3;
 
 /// Makes room for the first half of turning the wheels to a curvature, which takes `half` metres.
 /// The room is taken from the last command, or driven in addition before the gear changes.
-void turn_ahead(std::vector<Segment>& commands, double curvature, double half, GearSign next) {
-  Segment& last = commands.back();
+void turn_ahead(std::vector<Command>& commands, double curvature, double half, GearSign next) {
+  Command& last = commands.back();
   const GearSign gear = gear_of(last);
   if (gear == next) {
     last.length -= gear * std::min(half, std::abs(last.length) / 2);
@@ -40,7 +40,7 @@ bool Wheels::may_jump(const Driven& before, GearSign next) const {
 
 double Wheels::way(double from, double to) const { return std::abs(to - from) / rate_; }
 
-Obeyed Wheels::obey(const Segment& command, Driven& before) const {
+Obeyed Wheels::obey(const Command& command, Driven& before) const {
   if (std::abs(command.length) < crumb) return {};
   const GearSign gear = gear_of(command);
   Obeyed result;
@@ -48,7 +48,7 @@ Obeyed Wheels::obey(const Segment& command, Driven& before) const {
   result.turns_at_once = may_jump(before, gear);
   const double turning = result.turns_at_once ? 0.0 : way(before.curvature, command.curvature);
   if (turning <= crumb) {
-    result.segments[result.count++] = command;
+    result.segments[result.count++] = command.at_once();
     before = {gear, command.curvature};
     return result;
   }
@@ -64,24 +64,24 @@ Obeyed Wheels::obey(const Segment& command, Driven& before) const {
   return result;
 }
 
-std::vector<Segment> Wheels::driven(std::span<const Segment> commands, Driven before) const {
+std::vector<Segment> Wheels::driven(std::span<const Command> commands, Driven before) const {
   std::vector<Segment> result;
   result.reserve(commands.size());
-  for (const Segment& command : commands) {
+  for (const Command& command : commands) {
     const Obeyed obeyed = obey(command, before);
     result.insert(result.end(), obeyed.view().begin(), obeyed.view().end());
   }
   return result;
 }
 
-std::vector<Segment> Wheels::commands(std::span<const Segment> segments,
+std::vector<Command> Wheels::commands(std::span<const Segment> segments,
                                       const WheelEnds& ends) const {
-  std::vector<Segment> result;
+  std::vector<Command> result;
   result.reserve(segments.size());
   Driven before = ends.before;
   for (const Segment& segment : segments) {
     const Driven after = search::last_driven(segment);
-    Segment command{after.curvature, segment.length};
+    Command command{after.curvature, segment.length};
     const bool is_free = result.empty() || may_jump(before, after.gear);
     if (may_jump(before, after.gear) && segment.curvature_rate != 0.0) {
       const double length = std::min(first_arc / std::sqrt(rate_), std::abs(segment.length) / 2);
@@ -105,20 +105,26 @@ std::vector<Segment> Wheels::commands(std::span<const Segment> segments,
   return result;
 }
 
-std::vector<Segment> Wheels::tidied(std::span<const Segment> commands, Driven before) const {
-  std::vector<Segment> result;
-  for (Segment command : commands) {
+std::vector<Command> Wheels::tidied(std::span<const Command> commands, Driven before) const {
+  std::vector<Command> result;
+  for (Command command : commands) {
     if (std::abs(command.length) < crumb) continue;
     if (!are_free()) {
       (void)obey(command, before);
       command.curvature = before.curvature;
     }
-    result.push_back(command);
+    const bool goes_on = !result.empty() && result.back().curvature == command.curvature &&
+                         gear_of(result.back()) == gear_of(command);
+    if (goes_on) {
+      result.back().length += command.length;
+    } else {
+      result.push_back(command);
+    }
   }
-  return merged(result);
+  return result;
 }
 
-WheelEnds Wheels::ends_of_part(std::span<const Segment> chain, std::span<const Driven> driven,
+WheelEnds Wheels::ends_of_part(std::span<const Command> chain, std::span<const Driven> driven,
                                std::size_t first, std::size_t last, const WheelEnds& ends) const {
   if (last == chain.size()) return {driven[first], ends.after};
   WheelEnds result{driven[first], {}};
@@ -126,9 +132,9 @@ WheelEnds Wheels::ends_of_part(std::span<const Segment> chain, std::span<const D
   return result;
 }
 
-void hold_curvatures(std::span<Segment> commands, double turning_radius) {
+void hold_curvatures(std::span<Command> commands, double turning_radius) {
   const double sharpest = 1 / turning_radius;
-  for (Segment& command : commands) {
+  for (Command& command : commands) {
     command.curvature = std::clamp(command.curvature, -sharpest, sharpest);
   }
 }

@@ -3,10 +3,9 @@
 #pragma once
 // What does a vehicle drive whose wheels turn no faster than they can?
 //
-// A drive is a chain of commands, which are segments without a rate. At each command the wheels
-// turn to its curvature as fast as they may, and stay there. The length of the command counts the
-// metres of both. So every chain of commands can be driven, and the curvature is as continuous as
-// it must be.
+// A drive is a chain of commands. At each command the wheels turn to its curvature as fast as they
+// may, and stay there. So every chain of commands can be driven, and the curvature is as continuous
+// as it must be.
 //
 // Method: docs/algorithms/trailers.md.
 
@@ -20,6 +19,20 @@
 #include "vandplan/search.h"
 
 namespace vandplan::commands {
+
+/// What wheels are told: to turn to a curvature as fast as they may, and to stay there.
+struct Command {
+  double curvature = 0.0;  ///< curvature to which the wheels turn [1/m]
+  double length = 0.0;     ///< way driven while they turn and stay [m]; negative in reverse
+  bool operator==(const Command&) const = default;
+
+  /// What is driven if the wheels turn at once.
+  [[nodiscard]] Segment at_once() const { return {curvature, length}; }
+};
+
+[[nodiscard]] inline search::GearSign gear_of(const Command& command) {
+  return command.length < 0.0 ? -1 : 1;
+}
 
 /// Gear and curvature before the first command of a chain, and curvature after its last command.
 struct WheelEnds {
@@ -53,27 +66,27 @@ class Wheels {
   /// Segments that are driven for a command. `before`: gear and curvature before the command; the
   /// call sets it to those after the command. No segments, and `before` stays, if the command is
   /// shorter than 1e-10 m: nobody stops for such a stroke.
-  [[nodiscard]] Obeyed obey(const Segment& command, search::Driven& before) const;
+  [[nodiscard]] Obeyed obey(const Command& command, search::Driven& before) const;
 
   /// The segments of a whole chain of commands.
-  [[nodiscard]] std::vector<Segment> driven(std::span<const Segment> commands,
+  [[nodiscard]] std::vector<Segment> driven(std::span<const Command> commands,
                                             search::Driven before) const;
 
   /// Commands along segments whose curvature may jump. At a jump, the wheels turn half before and
   /// half after it, if there is room.
-  [[nodiscard]] std::vector<Segment> commands(std::span<const Segment> segments,
+  [[nodiscard]] std::vector<Command> commands(std::span<const Segment> segments,
                                               const WheelEnds& ends) const;
 
   /// The commands without those shorter than 1e-10 m; equal neighbours are joined. A curvature that
   /// the wheels do not reach is replaced by the curvature that they reach.
-  [[nodiscard]] std::vector<Segment> tidied(std::span<const Segment> commands,
+  [[nodiscard]] std::vector<Command> tidied(std::span<const Command> commands,
                                             search::Driven before) const;
 
   /// Wheel ends of the commands [first, last) of a chain, which are about to change. Where the
   /// vehicle rolls on after command last - 1, the curvature there must stay for the next command.
   /// `driven`: gear and curvature before each command, and at the end. `ends`: wheel ends of the
   /// whole chain.
-  [[nodiscard]] WheelEnds ends_of_part(std::span<const Segment> chain,
+  [[nodiscard]] WheelEnds ends_of_part(std::span<const Command> chain,
                                        std::span<const search::Driven> driven, std::size_t first,
                                        std::size_t last, const WheelEnds& ends) const;
 
@@ -90,7 +103,7 @@ class Wheels {
 [[nodiscard]] constexpr double crumb_length(double turning_radius) { return turning_radius / 70; }
 
 /// Limits the curvatures of commands to the turning radius.
-void hold_curvatures(std::span<Segment> commands, double turning_radius);
+void hold_curvatures(std::span<Command> commands, double turning_radius);
 
 /// Wheel ends of the whole drive of a task. They are free unless the steering is `continuous`.
 [[nodiscard]] WheelEnds wheel_ends(const Task& task);

@@ -182,7 +182,7 @@ bool Follower::step() {
     return !is_over_;
   }
   const bool goes_on = replacing_->search.step() && --replacing_->left > 0;
-  const std::optional<std::vector<Segment>> found = replacing_->search.take_found();
+  const auto found = replacing_->search.take_found();
   if (goes_on && !found) return true;
   if (found) {
     const commands::WheelEnds ends = commands::wheel_ends(replacing_->task);

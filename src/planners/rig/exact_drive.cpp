@@ -10,11 +10,11 @@ ExactDrive::ExactDrive(const Task& task)
       ends_(commands::wheel_ends(task)),
       closer_(task.vehicle, task.steering) {}
 
-std::optional<std::vector<Segment>> ExactDrive::along(std::span<const Segment> segments) {
+std::optional<std::vector<commands::Command>> ExactDrive::along(std::span<const Segment> segments) {
   if (segments.empty()) return std::nullopt;
   const RigState from{task_.start, task_.hitch_angles.start};
   const RigState to{task_.goal, task_.hitch_angles.goal};
-  std::vector<Segment> commands = wheels_.commands(segments, ends_);
+  std::vector<commands::Command> commands = wheels_.commands(segments, ends_);
   if (!closer_.close(from, commands, to, ends_)) return std::nullopt;
   commands = wheels_.tidied(commands, ends_.before);
   if (!closer_.close(from, commands, to, ends_)) return std::nullopt;

@@ -22,7 +22,8 @@ class ExactDrive {
   explicit ExactDrive(const Task& task);
 
   /// The commands of a free drive along the segments; none if none was found.
-  [[nodiscard]] std::optional<std::vector<Segment>> along(std::span<const Segment> segments);
+  [[nodiscard]] std::optional<std::vector<commands::Command>> along(
+      std::span<const Segment> segments);
 
  private:
   const Task& task_;

@@ -48,7 +48,7 @@ std::vector<std::vector<Primitive>> primitives_of(const Vehicle& vehicle,
   for (std::vector<Primitive>& of_level : all) {
     for (const double curvature : {-sharpest, -gentle, 0.0, gentle, sharpest}) {
       for (const double length : {step, -step}) {
-        of_level.emplace_back(vehicle, Segment{curvature, length});
+        of_level.emplace_back(vehicle, Command{curvature, length});
       }
     }
     step /= 2;
@@ -82,10 +82,10 @@ double search_unit(const Vehicle& vehicle) {
   return 0.3 * std::sqrt(turning_radius(vehicle) * vehicle.trailer->wheelbase);
 }
 
-Primitive::Primitive(const Vehicle& vehicle, const Segment& of) noexcept
+Primitive::Primitive(const Vehicle& vehicle, const Command& of) noexcept
     : command(of),
-      moved(advance(Pose{}, of)),
-      hitch({.hitch = vehicle.hitch, .wheelbase = vehicle.trailer->wheelbase}, of) {}
+      moved(advance(Pose{}, of.at_once())),
+      hitch({.hitch = vehicle.hitch, .wheelbase = vehicle.trailer->wheelbase}, of.at_once()) {}
 
 Guides::Guides(const Task& task)
     : to_goal(task, around(task), 0.5, task.goal, task.start),
@@ -248,14 +248,14 @@ RigState RigSearch::after(const Parent& parent, const Primitive& primitive,
 }
 
 void RigSearch::add(Side& side, const Parent& parent, Primitive primitive) {
-  if (!side.rule.allows(search::gear_of(primitive.command))) return;
+  if (!side.rule.allows(gear_of(primitive.command))) return;
   const Node& from = parent.node;
   Driven driven = from.driven;
   Obeyed obeyed = wheels_.obey(primitive.command, driven);
   RigState state = after(parent, primitive, obeyed);
   for (int i = 0; std::abs(state.hitch_angle) > task_.vehicle.max_hitch_angle; ++i) {
     if (i == most_halvings) return;
-    const Segment& command = primitive.command;
+    const Command& command = primitive.command;
     primitive = Primitive(task_.vehicle, {command.curvature, command.length / 2});
     driven = from.driven;
     obeyed = wheels_.obey(primitive.command, driven);
@@ -310,7 +310,7 @@ void RigSearch::meet(std::size_t which, std::int32_t id) {
 
 /// The segments from the root of a side to a state.
 std::vector<Segment> RigSearch::branch(const Side& side, std::int32_t id) const {
-  std::vector<Segment> commands;
+  std::vector<Command> commands;
   for (; id > 0; id = side.nodes[static_cast<std::size_t>(id)].parent) {
     commands.push_back(side.nodes[static_cast<std::size_t>(id)].command);
   }
@@ -359,7 +359,7 @@ bool RigSearch::is_free(const RigState& from, std::span<const Segment> segments)
   return task_.checker->rig_is_free(Local(from), segments);
 }
 
-std::optional<std::vector<Segment>> RigSearch::take_found() {
+std::optional<std::vector<Command>> RigSearch::take_found() {
   return std::exchange(found_, std::nullopt);
 }
 

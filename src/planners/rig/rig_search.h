@@ -47,9 +47,9 @@ struct Guides {
 
 /// A command as if wheels turned at once, and its effect on a rig.
 struct Primitive {
-  Primitive(const Vehicle& vehicle, const Segment& of) noexcept;
+  Primitive(const Vehicle& vehicle, const Command& of) noexcept;
 
-  Segment command;
+  Command command;
   Pose moved;                    ///< pose of the tractor behind the command, seen from before it
   vehicle::HitchAlongArc hitch;  ///< change of the hitch angle
 };
@@ -67,7 +67,7 @@ class RigSearch {
   bool step();
 
   /// The commands of the exact drive that was found since the last call; none if none was found.
-  [[nodiscard]] std::optional<std::vector<Segment>> take_found();
+  [[nodiscard]] std::optional<std::vector<Command>> take_found();
 
   [[nodiscard]] std::int64_t nodes() const;
   [[nodiscard]] std::int64_t checks() const { return checks_; }
@@ -78,7 +78,7 @@ class RigSearch {
   /// State that was reached, with its command from the parent.
   struct Node {
     RigState state;
-    Segment command;        // command from the parent
+    Command command;        // command from the parent
     search::Driven driven;  // gear and curvature at the end of the command
     double cost;            // cost-to-come [m]
     double to_go;           // estimated cost-to-go [m]
@@ -160,7 +160,7 @@ class RigSearch {
   std::array<Side, 2> sides_;
   std::size_t turn_ = 0;
   double cutoff_ = std::numeric_limits<double>::infinity();
-  std::optional<std::vector<Segment>> found_;
+  std::optional<std::vector<Command>> found_;
   std::int64_t checks_ = 0;
   std::int64_t closings_ = 0;
   std::int64_t expansions_ = 0;

@@ -91,7 +91,7 @@ std::int64_t Searches::work(std::int64_t most, const search::Budget& budget) {
     if (!line.search) begin(line);
     const bool goes_on = line.search->step();
     ++steps;
-    std::optional<std::vector<Segment>> commands = line.search->take_found();
+    std::optional<std::vector<Command>> commands = line.search->take_found();
     if (!goes_on || commands) end(line);
     if (commands) {
       has_found_ = true;
@@ -135,7 +135,7 @@ BareSearches::BareSearches(std::shared_ptr<const Setting> setting, std::uint64_t
       rule_(rule_of_room(setting->options.clearance.margin)),
       seed_(seed) {}
 
-void BareSearches::begin(std::span<const Segment> commands) {
+void BareSearches::begin(std::span<const Command> commands) {
   if (widened_) checks_ += widened_->checks();
   widened_.emplace(*setting_->bare, rule_, commands, stream_seed(seed_, begun_++));
 }
@@ -143,7 +143,7 @@ void BareSearches::begin(std::span<const Segment> commands) {
 // [2] Moves the drive away from obstacles by one trial.
 void BareSearches::widen() {
   if (widened_->step()) {
-    std::optional<std::vector<Segment>> commands =
+    std::optional<std::vector<Command>> commands =
         commands::obeyed(setting_->task, widened_->commands());
     if (commands) found_ = Chain{*std::move(commands), 0};
   }

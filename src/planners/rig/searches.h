@@ -80,7 +80,7 @@ class BareSearches final : public ChainSource {
   [[nodiscard]] anytime::Counts counts() const override;
 
  private:
-  void begin(std::span<const Segment> commands);
+  void begin(std::span<const Command> commands);
   void widen();
 
   std::shared_ptr<const Setting> setting_;
@@ -89,7 +89,7 @@ class BareSearches final : public ChainSource {
   std::uint64_t seed_;
   std::uint64_t begun_ = 0;
   std::optional<commands::DriveShortener> widened_;  // the drive that is moved away
-  std::vector<Segment> roomiest_;                    // drive that came nearest to the margin
+  std::vector<Command> roomiest_;                    // drive that came nearest to the margin
   double lack_ = 0.0;                                // cost of `roomiest_`
   std::int64_t searched_ = 0;                        // expansions since a drive was moved last
   std::optional<Chain> found_;

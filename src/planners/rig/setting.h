@@ -41,7 +41,7 @@ struct Setting {
 
 /// A chain of commands from the start to the goal.
 struct Chain {
-  std::vector<Segment> commands;
+  std::vector<commands::Command> commands;
   std::size_t wheels = 0;  ///< index of the wheels that obey the commands
 };
 
