@@ -5,12 +5,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/splice.h"
+
 namespace vandplan::search {
 
 double Route::length() const {
   double sum = 0.0;
   for (const Leg& leg : legs) sum += leg.piece.length;
   return sum;
+}
+
+void Route::replace(std::size_t first, std::size_t last, std::span<const Leg> fresh) {
+  base::splice(legs, first, last, fresh);
 }
 
 void drive_on(std::vector<Leg>& legs, const Segment& segment, const LocalPose& end,

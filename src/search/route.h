@@ -3,6 +3,7 @@
 #pragma once
 // What does a planner hold while it improves a path?
 
+#include <span>
 #include <vector>
 
 #include "vandplan/search.h"
@@ -27,6 +28,11 @@ struct Route {
   [[nodiscard]] const LocalPose& begin_of(std::size_t i) const {
     return i == 0 ? start : legs[i - 1].end;
   }
+
+  /// Puts `fresh` in the place of the legs [first, last). The cost is not computed.
+  void replace(std::size_t first, std::size_t last, std::span<const Leg> fresh);
+  /// Adds legs at the end. The cost is not computed.
+  void append(std::span<const Leg> more) { replace(legs.size(), legs.size(), more); }
 };
 
 /// Largest number of segments of a Reeds-Shepp word.

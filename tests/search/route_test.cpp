@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <span>
+#include <vector>
 
 #include "../support/cases.h"
 #include "../support/problems.h"
@@ -78,6 +80,31 @@ TEST(Route, APartGoesOnBehindASegmentOfNoLength) {
   EXPECT_EQ(search::suffix(piece, 3.0).length, 2.0);
   const Route route{{}, {{piece, LocalPose({5, 0, 0})}}, 5.0};
   EXPECT_EQ(part_of(route, 0.0, 3.0).length(), 3.0);
+}
+
+// Fewer legs, as many, more, none, and legs at either end.
+TEST(Route, LegsTakeThePlaceOfOthers) {
+  Rng rng(1);
+  const Route old = random_route(rng);
+  const Route other = random_route(rng);
+  const auto ends_of = [](std::span<const search::Leg> legs) {
+    std::vector<double> ends;
+    for (const search::Leg& leg : legs) ends.push_back(leg.end.x);
+    return ends;
+  };
+  for (std::size_t first = 0; first <= old.legs.size(); ++first) {
+    for (std::size_t last = first; last <= old.legs.size(); ++last) {
+      for (std::size_t count = 0; count <= other.legs.size(); ++count) {
+        const auto fresh = std::span(other.legs).first(count);
+        Route route = old;
+        route.replace(first, last, fresh);
+        std::vector<double> ends = ends_of(std::span(old.legs).first(first));
+        for (const double end : ends_of(fresh)) ends.push_back(end);
+        for (const double end : ends_of(std::span(old.legs).subspan(last))) ends.push_back(end);
+        EXPECT_EQ(ends_of(route.legs), ends) << first << " " << last << " " << count;
+      }
+    }
+  }
 }
 
 TEST(Route, AlikeIsWhatIsNearAndChangesGearAsOften) {

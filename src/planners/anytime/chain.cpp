@@ -8,12 +8,14 @@
 #include <limits>
 #include <utility>
 
+#include "base/splice.h"
+
 namespace vandplan::anytime {
 namespace {
 
 constexpr double curvature_rounding = 1e-12;  // relative rounding of curvatures and rates
 constexpr double sideways = 0.3;              // share of repairs without a gain that are kept
-constexpr std::size_t max_spanned_legs = 6;   // most legs at an end that one piece replaces
+constexpr std::size_t max_spanned_legs = 6;   // most links at an end that one piece replaces
 constexpr int repairs = 12;                   // trials to free a route along a path
 
 }  // namespace
@@ -79,29 +81,33 @@ std::vector<Chain::Via> Chain::vias_of(const Path& path) {
 }
 
 bool Chain::is_free() const {
-  return std::ranges::all_of(legs_, [](const Link& link) { return link.is_free; });
+  return std::ranges::all_of(links_, [](const Link& link) { return link.is_free; });
 }
 
-/// Gears and curvatures before leg `first` and from leg `last` on.
+Chain::Link Chain::link_between(const Via& from, const Via& to, const Piece& piece) {
+  return {piece, to, connector_.is_free(from.pose, piece)};
+}
+
+/// Gears and curvatures before link `first` and from link `last` on.
 DrivenBeside Chain::driven_beside(std::size_t first, std::size_t last) const {
   const DrivenBeside ends = driven_at_ends(task_, connector_.rule());
-  return {first == 0 ? ends.before : last_driven(legs_[first - 1].piece),
-          last == legs_.size() ? ends.after : first_driven(legs_[last].piece)};
+  return {first == 0 ? ends.before : last_driven(links_[first - 1].piece),
+          last == links_.size() ? ends.after : first_driven(links_[last].piece)};
 }
 
-/// Pieces from place to place; `around`: what is driven before and after them. None if two places
+/// Links from place to place; `around`: what is driven before and after them. None if two places
 /// cannot be joined.
-std::optional<std::vector<Chain::Link>> Chain::links(std::span<const Via> vias,
-                                                     const DrivenBeside& around) {
+std::optional<std::vector<Chain::Link>> Chain::linked(std::span<const Via> vias,
+                                                      const DrivenBeside& around) {
   std::vector<Link> result;
   Driven before = around.before;
   for (std::size_t i = 0; i + 1 < vias.size(); ++i) {
     const bool is_last = i + 2 == vias.size();
     const Driven after = is_last ? around.after : Driven(vias[i + 1].next);
-    const LocalPose& from = vias[i].pose;
-    const std::optional<Piece> piece = connector_.steer(from, vias[i + 1].pose, {before, after});
+    const std::optional<Piece> piece =
+        connector_.steer(vias[i].pose, vias[i + 1].pose, {before, after});
     if (!piece) return std::nullopt;
-    result.push_back({*piece, connector_.is_free(from, *piece)});
+    result.push_back(link_between(vias[i], vias[i + 1], *piece));
     before = last_driven(*piece);
   }
   return result;
@@ -109,13 +115,13 @@ std::optional<std::vector<Chain::Link>> Chain::links(std::span<const Via> vias,
 
 bool Chain::join() {
   const DrivenBeside ends = driven_at_ends(task_, connector_.rule());
-  auto all = links(vias_, ends);
+  auto all = linked(vias_, ends);
   if (!all) {  // with straight wheels there is always a way
     for (Via& via : vias_) via.next = 0;
-    all = links(vias_, ends);
+    all = linked(vias_, ends);
   }
   if (!all) return false;
-  legs_ = *std::move(all);
+  links_ = *std::move(all);
   return true;
 }
 
@@ -149,50 +155,44 @@ bool Chain::take_over() {
   for (std::size_t i = 0; i + 1 < vias_.size(); ++i) {
     const bool is_last = i + 2 == vias_.size();
     const bool is_old = !is_last && (i > 0 || task_.start == old_.start);
-    const LocalPose& from = vias_[i].pose;
-    const LocalPose& to = vias_[i + 1].pose;
+    const Via& from = vias_[i];
+    const Via& to = vias_[i + 1];
     std::optional<Piece> piece;
-    if (is_old) piece = old_piece(vias_[i], vias_[i + 1], before);
-    const Driven after = is_last ? ends.after : Driven(vias_[i + 1].next);
-    if (!piece) piece = connector_.steer(from, to, {before, after});
+    if (is_old) piece = old_piece(from, to, before);
+    const Driven after = is_last ? ends.after : Driven(to.next);
+    if (!piece) piece = connector_.steer(from.pose, to.pose, {before, after});
     if (!piece) return false;
-    legs_.push_back({*piece, connector_.is_free(from, *piece)});
+    links_.push_back(link_between(from, to, *piece));
     before = last_driven(*piece);
   }
   leave_out();
   return true;
 }
 
-// Replaces the legs [first, last).
-void Chain::exchange(std::size_t first, std::size_t last, const std::vector<Link>& fresh) {
-  const auto begin = legs_.begin() + static_cast<std::ptrdiff_t>(first);
-  const auto end = legs_.begin() + static_cast<std::ptrdiff_t>(last);
-  legs_.insert(legs_.erase(begin, end), fresh.begin(), fresh.end());
-}
-
-// Clearance cost of the legs [first, last).
+// Clearance cost of the links [first, last).
 double Chain::clearance_cost(std::size_t first, std::size_t last) const {
   double sum = 0.0;
   for (std::size_t i = first; i < last; ++i) {
-    sum += connector_.clearance_cost(vias_[i].pose, legs_[i].piece.view());
+    sum += connector_.clearance_cost(begin_of(i).pose, links_[i].piece.view());
   }
   return sum;
 }
 
-// Replaces the legs [first, last) by one piece that is free, if one of them is blocked or the piece
-// is cheaper.
-void Chain::span_legs(std::size_t first, std::size_t last) {
+// Replaces the links [first, last) by one piece that is free, if one of them is blocked or the
+// piece is cheaper.
+void Chain::span_links(std::size_t first, std::size_t last) {
   const DrivenBeside beside = driven_beside(first, last);
   double cost = 0.0;
   Driven before = beside.before;
   for (std::size_t i = first; i < last; ++i) {
     const Driven after = i + 1 == last ? beside.after : Driven{};
-    if (!legs_[i].is_free) cost = std::numeric_limits<double>::infinity();
-    cost += connector_.cost(legs_[i].piece, {before, after});
-    before = last_driven(legs_[i].piece);
+    if (!links_[i].is_free) cost = std::numeric_limits<double>::infinity();
+    cost += connector_.cost(links_[i].piece, {before, after});
+    before = last_driven(links_[i].piece);
   }
-  const LocalPose& from = vias_[first].pose;
-  const std::optional<Piece> piece = connector_.steer(from, vias_[last].pose, beside, cost);
+  const LocalPose& from = begin_of(first).pose;
+  const Via to = begin_of(last);
+  const std::optional<Piece> piece = connector_.steer(from, to.pose, beside, cost);
   if (!piece || !connector_.is_free(from, *piece)) return;
   const double gain = cost - connector_.cost(*piece, beside);
   if (gain <= 0.0) return;
@@ -200,17 +200,16 @@ void Chain::span_legs(std::size_t first, std::size_t last) {
       connector_.clearance_cost(from, piece->view()) >= gain + clearance_cost(first, last)) {
     return;
   }
-  exchange(first, last, {{*piece, true}});
-  const auto at = vias_.begin() + static_cast<std::ptrdiff_t>(first) + 1;
-  vias_.erase(at, at + static_cast<std::ptrdiff_t>(last - first - 1));
+  const Link fresh[] = {{*piece, to, true}};
+  base::splice(links_, first, last, fresh);
 }
 
-// Replaces several legs at each end of the chain by one piece, where that is free and better.
+// Replaces several links at each end of the chain by one piece, where that is free and better.
 void Chain::leave_out() {
-  const auto most = [&] { return std::min(max_spanned_legs, legs_.size()); };
-  for (std::size_t count = 2; count <= most(); ++count) span_legs(0, count);
+  const auto most = [&] { return std::min(max_spanned_legs, links_.size()); };
+  for (std::size_t count = 2; count <= most(); ++count) span_links(0, count);
   for (std::size_t count = 2; count <= most(); ++count) {
-    span_legs(legs_.size() - count, legs_.size());
+    span_links(links_.size() - count, links_.size());
   }
 }
 
@@ -223,45 +222,38 @@ Chain::Via Chain::beside(double s, GearSign next) {
   return {Local(compose(pose_at(old_, s), by)), s, next};
 }
 
-/// Moves an end of a blocked leg, or adds a place in its middle. The change is kept if fewer legs
+/// Moves an end of a blocked link, or adds a place in its middle. The change is kept if fewer links
 /// are blocked then, and sometimes if as many are.
 void Chain::repair() {
   std::vector<std::size_t> blocked;
-  for (std::size_t i = 0; i < legs_.size(); ++i) {
-    if (!legs_[i].is_free) blocked.push_back(i);
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    if (!links_[i].is_free) blocked.push_back(i);
   }
-  const std::size_t leg = blocked[rng_() % blocked.size()];
-  const bool inserts = legs_.size() == 1 || uniform01(rng_) < 0.3;
-  const bool moves_end = leg == 0 || (leg + 1 < legs_.size() && rng_() % 2 == 0);
-  const std::size_t first = inserts || moves_end ? leg : leg - 1;
-  const std::size_t last = inserts ? leg + 1 : first + 2;  // index behind the legs that change
-  const Via& from = vias_[first];
-  const Via& to = vias_[last];
-  const Via between = inserts ? beside(uniform(from.s, to.s, rng_), 0)
-                              : beside(vias_[first + 1].s, vias_[first + 1].next);
+  const std::size_t at = blocked[rng_() % blocked.size()];
+  const bool inserts = links_.size() == 1 || uniform01(rng_) < 0.3;
+  const bool moves_end = at == 0 || (at + 1 < links_.size() && rng_() % 2 == 0);
+  const std::size_t first = inserts || moves_end ? at : at - 1;
+  const std::size_t last = inserts ? at + 1 : first + 2;  // index behind the links that change
+  const Via& from = begin_of(first);
+  const Via& to = begin_of(last);
+  const Via& moved = links_[first].to;
+  const Via between =
+      inserts ? beside(uniform(from.s, to.s, rng_), 0) : beside(moved.s, moved.next);
   const std::array<Via, 3> trial = {from, between, to};
-  const auto fresh = links(trial, driven_beside(first, last));
+  const auto fresh = linked(trial, driven_beside(first, last));
   if (!fresh) return;
-  const auto begin = legs_.begin() + static_cast<std::ptrdiff_t>(first);
-  const auto end = legs_.begin() + static_cast<std::ptrdiff_t>(last);
+  const auto begin = links_.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto end = links_.begin() + static_cast<std::ptrdiff_t>(last);
   const auto is_blocked = [](const Link& link) { return !link.is_free; };
   const auto was = std::count_if(begin, end, is_blocked);
   const auto is = std::count_if(fresh->begin(), fresh->end(), is_blocked);
   if (is > was || (is == was && uniform01(rng_) > sideways)) return;
-  exchange(first, last, *fresh);
-  const auto at = vias_.begin() + static_cast<std::ptrdiff_t>(first) + 1;
-  if (inserts) {
-    vias_.insert(at, between);
-  } else {
-    *at = between;
-  }
+  base::splice(links_, first, last, *fresh);
 }
 
 Route Chain::route() const {
   Route route{vias_.front().pose, {}, 0.0};
-  for (std::size_t i = 0; i < legs_.size(); ++i) {
-    route.legs.push_back({legs_[i].piece, vias_[i + 1].pose});
-  }
+  for (const Link& link : links_) route.legs.push_back({link.piece, link.to.pose});
   price(connector_, route);
   return route;
 }

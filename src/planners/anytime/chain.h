@@ -49,20 +49,25 @@ class Chain {
     double s;       // position on the old path [m]
     GearSign next;  // gear driven onward, if it changes here; otherwise 0
   };
+  /// Piece to a place.
   struct Link {
     Piece piece;
-    bool is_free = false;
+    Via to;
+    bool is_free;
   };
 
   [[nodiscard]] static std::vector<Via> vias_of(const Path& path);
+  [[nodiscard]] const Via& begin_of(std::size_t i) const {
+    return i == 0 ? vias_.front() : links_[i - 1].to;
+  }
+  [[nodiscard]] Link link_between(const Via& from, const Via& to, const Piece& piece);
   [[nodiscard]] DrivenBeside driven_beside(std::size_t first, std::size_t last) const;
-  [[nodiscard]] std::optional<std::vector<Link>> links(std::span<const Via> vias,
-                                                       const DrivenBeside& around);
+  [[nodiscard]] std::optional<std::vector<Link>> linked(std::span<const Via> vias,
+                                                        const DrivenBeside& around);
   [[nodiscard]] Via beside(double s, GearSign next);
   [[nodiscard]] std::optional<Piece> old_piece(const Via& from, const Via& to, Driven before) const;
-  void exchange(std::size_t first, std::size_t last, const std::vector<Link>& fresh);
   [[nodiscard]] double clearance_cost(std::size_t first, std::size_t last) const;
-  void span_legs(std::size_t first, std::size_t last);
+  void span_links(std::size_t first, std::size_t last);
   void leave_out();
 
   const Task& task_;
@@ -70,8 +75,8 @@ class Chain {
   const Path& old_;
   std::vector<double> begins_;  // position where each segment of the old path begins [m]
   Rng rng_;
-  std::vector<Via> vias_;   // places, with both ends
-  std::vector<Link> legs_;  // pieces from each place to the next
+  std::vector<Via> vias_;  // places of the old path, with both ends
+  std::vector<Link> links_;
 };
 
 /// A free route along a path, which is in the frame of the task; its ends need not be those of the

@@ -121,8 +121,8 @@ void Detours::end() {
 void Detours::put_in_place(const Route& way) {
   const Route stretch = backwards_ ? reversed(way) : way;
   found_ = before_;
-  found_.legs.insert(found_.legs.end(), stretch.legs.begin(), stretch.legs.end());
-  found_.legs.insert(found_.legs.end(), after_.legs.begin(), after_.legs.end());
+  found_.append(stretch.legs);
+  found_.append(after_.legs);
   price(Connector(task_, rule_), found_);
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "base/splice.h"
 #include "vandplan/search.h"
 
 namespace vandplan::anytime {
@@ -104,8 +105,7 @@ void Follower::take(const Part& part) {
   Driven driven = part.from.driven;
   for (const Command& command : part.commands) (void)wheels_.obey(command, driven);
   while (stages_.back().commands > part.from.commands) stages_.pop_back();
-  drive_.resize(part.from.commands);
-  drive_.insert(drive_.end(), part.commands.begin(), part.commands.end());
+  base::splice(drive_, part.from.commands, drive_.size(), part.commands);
   const Cut& to = cuts_[part.cut];
   stages_.push_back({to.segment, drive_.size(), to.pose, driven});
   next_ = part.cut + 1;

@@ -24,24 +24,6 @@ constexpr int trials_of_window = 320;        // most trials in a window
 constexpr int idle_trials_of_window = 48;    // trials without a gain after which the window moves
 constexpr double progress_of_window = 1e-2;  // gain that counts in a window [turning radii]
 
-/// Gear and curvature at the end of `legs`; `before` if no leg drives anything.
-Driven driven_last(std::span<const Leg> legs, const Driven& before) {
-  for (std::size_t i = legs.size(); i > 0; --i) {
-    const Driven driven = last_driven(legs[i - 1].piece);
-    if (driven.gear != 0) return driven;
-  }
-  return before;
-}
-
-/// Gear and curvature at the begin of `legs`, which are in reverse order.
-Driven driven_first(std::span<const Leg> legs) {
-  for (std::size_t i = legs.size(); i > 0; --i) {
-    const Driven driven = first_driven(legs[i - 1].piece);
-    if (driven.gear != 0) return driven;
-  }
-  return {};
-}
-
 /// Number of segments that are too short for a driver.
 double crumbs_of(const Route& route, double radius) {
   const double crumb = commands::crumb_length(radius);
@@ -58,100 +40,82 @@ Shortener::Shortener(Connector& connector, Route route, std::uint64_t seed, Scop
     : connector_(connector),
       measure_(std::move(measure)),
       route_(std::move(route)),
-      start_(route_.start),
       beside_(beside.value_or(DrivenBeside{connector.rule().initial_gear, 0})),
-      cost_(route_.cost),
-      visit_cost_(cost_),
+      window_{0, route_.legs.size()},
+      visit_cost_(route_.cost),
       rng_(seed),
       progress_cost_(route_.cost) {
   if (scope == Scope::all || route_.legs.size() <= 2 * legs_of_window) return;
   // The first window is anywhere. Otherwise each shortener that takes a route over would begin with
   // the same legs.
-  const std::size_t begin = rng_() % route_.legs.size();
-  const auto first = route_.legs.begin() + static_cast<std::ptrdiff_t>(begin);
-  passed_.assign(route_.legs.begin(), first);
-  ahead_.assign(route_.legs.rbegin(), std::make_reverse_iterator(first));
-  route_.legs.clear();
+  window_.first = window_.last = rng_() % route_.legs.size();
   next_window();
 }
 
 Route Shortener::route() const {
-  if (is_whole()) return route_;
-  Route whole{start_, passed_, 0.0};
-  whole.legs.insert(whole.legs.end(), route_.legs.begin(), route_.legs.end());
-  whole.legs.insert(whole.legs.end(), ahead_.rbegin(), ahead_.rend());
-  whole.cost = cost_of(connector_.rule(), whole);
+  Route whole = route_;
+  if (!is_whole()) whole.cost = cost_of(connector_.rule(), whole);
   return whole;
 }
 
 bool Shortener::is_stalled() const {
-  return idle_ > patience + patience_for_each_leg * static_cast<int>(count_of_legs());
+  return idle_ > patience + patience_for_each_leg * static_cast<int>(route_.legs.size());
 }
 
 double Shortener::trials_for_one() const {
   if (is_whole()) return 1.0;
-  return static_cast<double>(count_of_legs()) / static_cast<double>(legs_of_window);
+  return static_cast<double>(route_.legs.size()) / static_cast<double>(legs_of_window);
 }
 
 // Half of the window stays, so that legs across its end come into the middle of the next window. At
 // an end of the route, windows turn back.
 void Shortener::move_window() {
-  const std::size_t half = route_.legs.size() / 2;
-  if (goes_back_ ? passed_.empty() : ahead_.empty()) goes_back_ = !goes_back_;
+  const std::size_t half = window_.size() / 2;
+  const bool is_at_end = goes_back_ ? window_.first == 0 : window_.last == route_.legs.size();
+  if (is_at_end) goes_back_ = !goes_back_;
   if (goes_back_) {
-    for (std::size_t i = 0; i < half; ++i) {
-      ahead_.push_back(route_.legs.back());
-      route_.legs.pop_back();
-    }
+    window_.last -= half;
   } else {
-    const auto end = route_.legs.begin() + static_cast<std::ptrdiff_t>(half);
-    passed_.insert(passed_.end(), route_.legs.begin(), end);
-    route_.legs.erase(route_.legs.begin(), end);
+    window_.first += half;
   }
   next_window();
 }
 
 // Fills the window on the side to which windows move.
 void Shortener::next_window() {
-  std::vector<Leg>& legs = route_.legs;
-  while (!goes_back_ && legs.size() < legs_of_window && !ahead_.empty()) {
-    legs.push_back(ahead_.back());
-    ahead_.pop_back();
+  const std::size_t more = legs_of_window - std::min(legs_of_window, window_.size());
+  if (goes_back_) {
+    window_.first -= std::min(window_.first, more);
+  } else {
+    window_.last += std::min(route_.legs.size() - window_.last, more);
   }
-  while (goes_back_ && legs.size() < legs_of_window && !passed_.empty()) {
-    legs.insert(legs.begin(), passed_.back());
-    passed_.pop_back();
-  }
-  route_.start = passed_.empty() ? start_ : passed_.back().end;
-  visit_cost_ = cost_;
+  visit_cost_ = route_.cost;
   visit_ = 0;
   idle_visit_ = 0;
-  if (is_whole()) route_.cost = cost_ = cost_of(connector_.rule(), route_);
+  if (is_whole()) route_.cost = cost_of(connector_.rule(), route_);
 }
 
-// Gears and curvatures before and after the legs [first, last) of the window.
+// Gears and curvatures before and after the legs [first, last).
 DrivenBeside Shortener::driven_beside(std::size_t first, std::size_t last) const {
   const bool needs_gears = !connector_.rule().is_length() || connector_.continuous() != nullptr;
-  if (!needs_gears) return {};
-  const DrivenBeside ends{beside_.before, ahead_.empty() ? beside_.after : Driven{}};
-  DrivenBeside beside = driven_around(ends, route_, first, last);
-  if (!passed_.empty() && driven_last(std::span(route_.legs).first(first), {}).gear == 0) {
-    beside.before = driven_last(passed_, beside.before);
-  }
-  if (!ahead_.empty() && beside.after.gear == 0) beside.after = driven_first(ahead_);
-  return beside;
+  return needs_gears ? driven_around(beside_, route_, first, last) : DrivenBeside{};
 }
 
 Shortener::Place Shortener::random_place() {
-  double s = uniform(0.0, route_.length(), rng_);
-  std::size_t leg = 0;
-  while (leg + 1 < route_.legs.size() && s > route_.legs[leg].piece.length) {
+  double length = 0.0;
+  for (std::size_t i = window_.first; i < window_.last; ++i) length += route_.legs[i].piece.length;
+  double s = uniform(0.0, length, rng_);
+  std::size_t leg = window_.first;
+  while (leg + 1 < window_.last && s > route_.legs[leg].piece.length) {
     s -= route_.legs[leg++].piece.length;
   }
   const Piece& piece = route_.legs[leg].piece;
   s = std::min(s, piece.length);
   return {leg, connector_.continuous() != nullptr ? nearest_cut(piece, s, connector_.radius()) : s};
 }
+
+// Index of a leg of the window that is not its last one. The window has two legs or more.
+std::size_t Shortener::random_via() { return window_.first + rng_() % (window_.size() - 1); }
 
 LocalPose Shortener::pose_at(const Place& place) const {
   const Leg& leg = route_.legs[place.leg];
@@ -212,27 +176,24 @@ bool Shortener::replace(const Stretch& old, std::span<const Leg> fresh) {
   if (!stays_cheaper(route_.begin_of(old.first), gain)) return false;
   if (measure_) {
     Route changed = route_;
-    exchange(changed, old);
+    changed.replace(old.first, old.last, trial_);
     changed.cost = measure_(changed);
     const double fewer_crumbs =
         crumbs_of(route_, connector_.radius()) - crumbs_of(changed, connector_.radius());
     if (route_.cost - changed.cost + price_of_crumb * fewer_crumbs < least_gain) return false;
     route_ = std::move(changed);
+    window_.last = route_.legs.size();
     return true;
   }
-  exchange(route_, old);
-  if (is_whole()) {
+  const bool was_whole = is_whole();
+  route_.replace(old.first, old.last, trial_);
+  window_.last += trial_.size() - (old.last - old.first);
+  if (was_whole) {
     route_.cost = cost_of(connector_.rule(), route_);
   } else {
-    cost_ -= old.cost - cost_of_legs(trial_, old.beside);
+    route_.cost -= old.cost - cost_of_legs(trial_, old.beside);
   }
   return true;
-}
-
-void Shortener::exchange(Route& route, const Stretch& old) const {
-  const auto at = route.legs.begin() + static_cast<std::ptrdiff_t>(old.first);
-  const auto next = route.legs.erase(at, at + static_cast<std::ptrdiff_t>(old.last - old.first));
-  route.legs.insert(next, trial_.begin(), trial_.end());
 }
 
 // Steers exactly between two random places of the route.
@@ -261,9 +222,8 @@ bool Shortener::shortcut() {
 
 // Leaves a via pose out.
 bool Shortener::drop_via() {
-  const std::size_t legs = route_.legs.size();
-  if (legs < 2) return false;
-  const auto i = static_cast<std::size_t>(rng_() % (legs - 1));
+  if (window_.size() < 2) return false;
+  const std::size_t i = random_via();
   const LocalPose& to = route_.legs[i + 1].end;
   const Stretch old = stretch(i, i + 2);
   const std::optional<Piece> piece = connector_.steer(route_.begin_of(i), to, old.beside, old.cost);
@@ -298,9 +258,8 @@ bool Shortener::replace_by_way_of(const LocalPose& via, const Stretch& old, Gear
 
 // Moves a via pose, and steers to it from the pose before and from it to the pose after.
 bool Shortener::move_via() {
-  const std::size_t legs = route_.legs.size();
-  if (legs < 2) return move_place();
-  const auto i = static_cast<std::size_t>(rng_() % (legs - 1));
+  if (window_.size() < 2) return move_place();
+  const std::size_t i = random_via();
   const LocalPose via = perturbed(route_.legs[i].end);
   const GearSign before = last_driven(route_.legs[i].piece).gear;
   const GearSign after = first_driven(route_.legs[i + 1].piece).gear;
@@ -328,8 +287,8 @@ bool Shortener::step() {
   if (is_whole()) return shorter;
   ++visit_;
   ++idle_visit_;
-  if (cost_ < visit_cost_ - progress_of_window * connector_.radius()) {
-    visit_cost_ = cost_;
+  if (cost() < visit_cost_ - progress_of_window * connector_.radius()) {
+    visit_cost_ = cost();
     idle_visit_ = 0;
   }
   if (visit_ >= trials_of_window || idle_visit_ >= idle_trials_of_window) move_window();

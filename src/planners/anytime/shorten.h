@@ -35,7 +35,7 @@ class Shortener {
   bool step();
 
   [[nodiscard]] Route route() const;
-  [[nodiscard]] double cost() const { return is_whole() ? route_.cost : cost_; }
+  [[nodiscard]] double cost() const { return route_.cost; }
   /// Number of trials that bring about as much as one trial on a short route.
   [[nodiscard]] double trials_for_one() const;
   /// Whether many trials in a row brought next to nothing.
@@ -57,13 +57,18 @@ class Shortener {
     double cost;
   };
 
-  [[nodiscard]] bool is_whole() const { return passed_.empty() && ahead_.empty(); }
-  [[nodiscard]] std::size_t count_of_legs() const {
-    return passed_.size() + route_.legs.size() + ahead_.size();
-  }
+  /// Legs [first, last) of the route that trials may change.
+  struct Window {
+    std::size_t first;
+    std::size_t last;
+    [[nodiscard]] std::size_t size() const { return last - first; }
+  };
+
+  [[nodiscard]] bool is_whole() const { return window_.size() == route_.legs.size(); }
   [[nodiscard]] DrivenBeside driven_beside(std::size_t first, std::size_t last) const;
   void move_window();
   void next_window();
+  [[nodiscard]] std::size_t random_via();
   [[nodiscard]] Place random_place();
   [[nodiscard]] LocalPose pose_at(const Place& place) const;
   [[nodiscard]] LocalPose perturbed(const LocalPose& pose);
@@ -76,20 +81,13 @@ class Shortener {
   bool replace_by_way_of(const LocalPose& via, const Stretch& old, GearSign cusp);
   [[nodiscard]] bool stays_cheaper(LocalPose from, double gain);
   bool replace(const Stretch& old, std::span<const Leg> fresh);
-  /// Puts the trial in the place of a stretch of the route.
-  void exchange(Route& route, const Stretch& old) const;
 
   Connector& connector_;
   std::function<double(const Route&)> measure_;
-  Route route_;          // the whole route, or the window
-  LocalPose start_;      // start of the whole route
-  DrivenBeside beside_;  // driven before and after the whole route
-  /// Legs before the window.
-  std::vector<Leg> passed_;
-  /// Legs behind the window, in reverse order.
-  std::vector<Leg> ahead_;
+  Route route_;
+  DrivenBeside beside_;  // driven before and after the route
+  Window window_;
   bool goes_back_ = false;  // whether windows move from the goal to the start
-  double cost_;             // cost of the whole route
   double visit_cost_;       // cost when a trial in this window last gained something
   int visit_ = 0;           // trials in this window
   int idle_visit_ = 0;      // trials in this window since the last gain

@@ -107,9 +107,7 @@ class Lengthener {
 // `wanted_`, and is cheaper than the kept route.
 void Lengthener::consider(std::size_t first, std::size_t last, const std::vector<Leg>& legs) {
   Route trial = route_;
-  const auto at = trial.legs.begin() + static_cast<std::ptrdiff_t>(first);
-  const auto next = trial.legs.erase(at, at + static_cast<std::ptrdiff_t>(last - first));
-  trial.legs.insert(next, legs.begin(), legs.end());
+  trial.replace(first, last, legs);
   trial = cut_at_changes(trial);
   if (missing(trial, least_) > wanted_) return;
   LocalPose from = route_.begin_of(first);

@@ -142,8 +142,7 @@ void Strung::reach_corner() {
 // reached.
 bool Strung::search_leg() {
   if (lattice_->step()) {
-    const std::vector<Leg>& legs = lattice_->route().legs;
-    route_.legs.insert(route_.legs.end(), legs.begin(), legs.end());
+    route_.append(lattice_->route().legs);
     reach_corner();
     return true;
   }

@@ -268,7 +268,7 @@ void Survey::put_together(const Branch& head, std::size_t heads, const Piece& jo
     step.length = -step.length;
     drive_on(rest, step, tail.poses[i - 1]);
   }
-  route_.legs.insert(route_.legs.end(), rest.begin(), rest.end());
+  route_.append(rest);
 }
 
 // Checks the whole route, because fields skip exact checks where there is much room.

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "base/splice.h"
 #include "planners/commands/wheels.h"
 #include "steering/words.h"
 
@@ -92,9 +93,9 @@ bool Tidier::drop(std::size_t first, std::size_t last, double limit) {
       --high;
     }
   }
-  const auto at = [&](std::size_t i) { return segments_.begin() + static_cast<std::ptrdiff_t>(i); };
-  Segments rest(at(low), at(first));
-  rest.insert(rest.end(), at(last), at(high));
+  const std::span<const Segment> old = std::span(segments_).subspan(low, high - low);
+  Segments rest(old.begin(), old.end());
+  base::splice(rest, first - low, last - low, {});
   const LocalPose from = pose_before(low);
   rest = merged(rest);
   const std::optional<Segments> mended =
@@ -102,9 +103,8 @@ bool Tidier::drop(std::size_t first, std::size_t last, double limit) {
   if (!mended) return false;
   // With fewer segments the curvature could jump.
   if (is_continuous_ && mended->size() != rest.size()) return false;
-  Segments trial(segments_.begin(), at(low));
-  trial.insert(trial.end(), mended->begin(), mended->end());
-  trial.insert(trial.end(), at(high), segments_.end());
+  Segments trial = segments_;
+  base::splice(trial, low, high, *mended);
   trial = merged(trial);
   if (trial.size() >= segments_.size() || cost(trial) > limit) return false;
   if (!is_free(from, *mended)) return false;
@@ -171,7 +171,7 @@ std::optional<Segments> Tidier::driven_on(std::size_t cusp, double by) {
     const Segment on{curvature, std::copysign(by, before.length)};
     Segments trial = segments_;
     const Segment way[] = {on, {curvature, -on.length}};
-    trial.insert(trial.begin() + static_cast<std::ptrdiff_t>(cusp), std::begin(way), std::end(way));
+    base::splice(trial, cusp, cusp, way);
     trial = merged(trial);
     if (best && cost(trial) >= cost(*best)) continue;
     if (connector_.is_free(pose, on)) best = std::move(trial);

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "base/splice.h"
+
 namespace vandplan::commands {
 namespace {
 
@@ -27,14 +29,6 @@ double sum(std::span<const double> values) {
 template <class T>
 bool are_equal(std::span<const T> a, std::span<const T> b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end());
-}
-
-/// Replaces the elements [first, last).
-template <class T>
-void put(std::vector<T>& values, std::size_t first, std::size_t last, std::span<const T> news) {
-  const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first);
-  const auto at = values.erase(begin, begin + static_cast<std::ptrdiff_t>(last - first));
-  values.insert(at, news.begin(), news.end());
 }
 
 }  // namespace
@@ -231,16 +225,16 @@ bool DriveShortener::replace(const Window& window, double limit) {
   if (measure_ || task_.vehicle.trailer || !goes_on_) {
     std::vector<Command> whole = commands_;
     std::vector<double> near = driving_.near;
-    put<Command>(whole, first, last, trial_);
-    put<double>(near, first, last, tried_.near);
+    base::splice(whole, first, last, trial_);
+    base::splice(near, first, last, tried_.near);
     return settle(std::move(whole), std::move(near), limit);
   }
   if (last < commands_.size()) driving_.prices[last] = next_price_;
-  put<Command>(commands_, first, last, trial_);
-  put<RigState>(driving_.states, first, last + 1, tried_.states);
-  put<search::Driven>(driving_.driven, first, last + 1, tried_.driven);
-  put<double>(driving_.prices, first, last, tried_.prices);
-  put<double>(driving_.near, first, last, tried_.near);
+  base::splice(commands_, first, last, trial_);
+  base::splice(driving_.states, first, last + 1, tried_.states);
+  base::splice(driving_.driven, first, last + 1, tried_.driven);
+  base::splice(driving_.prices, first, last, tried_.prices);
+  base::splice(driving_.near, first, last, tried_.near);
   cost_ = sum(driving_.prices) + sum(driving_.near);
   return true;
 }
