@@ -7,6 +7,7 @@
 // and so can yours (docs/own-planner.md). All poses are in the frame of the task.
 
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -130,6 +131,9 @@ struct Driven {
 
   Driven(GearSign sign = 0, double curvature_there = any)  // NOLINT(google-explicit-constructor)
       : gear(sign), curvature(curvature_there) {}
+
+  /// Whether the curvature is known.
+  [[nodiscard]] bool is_known() const { return !std::isnan(curvature); }
 
   GearSign gear;     ///< 1 forward, -1 reverse, 0 not driven yet
   double curvature;  ///< curvature [1/m]; `any`: turning the wheels is free

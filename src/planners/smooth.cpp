@@ -18,6 +18,7 @@
 #include "planners/pricing.h"
 #include "planners/rig/softer_wheels.h"
 #include "search/route.h"
+#include "search/wheels.h"
 #include "steering/words.h"
 #include "vandplan/input_error.h"
 #include "vandplan/path_check.h"
@@ -90,16 +91,16 @@ class Smoother {
 /// Whether the wheels can follow the old path from start to goal, within rounding, and no obstacle
 /// blocks it.
 bool Smoother::is_drivable(Connector& connector) const {
-  Driven before = driven_at_ends(task_, connector.rule()).before;
+  Driven before = driven_at_ends(task_, connector.rule().initial_gear).before;
   LocalPose pose(old_.start);
   for (const Segment& segment : old_.segments) {
-    if (!anytime::can_drive(connector, segment)) return false;
-    if (!anytime::may_follow(connector, before, segment)) return false;
+    if (!can_drive(connector, segment)) return false;
+    if (!may_follow(connector, before, segment)) return false;
     if (!connector.is_free(pose, segment)) return false;
     before = last_driven(segment);
     pose = advance(pose, segment);
   }
-  const double last = driven_at_ends(task_, connector.rule()).after.curvature;
+  const double last = driven_at_ends(task_).after.curvature;
   if (std::abs(last - before.curvature) * connector.radius() > straight_wheels) return false;
   const Pose& goal = task_.goal;
   return std::hypot(pose.x - goal.x, pose.y - goal.y) <= steering::at_goal.position &&

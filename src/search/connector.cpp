@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "search/wheels.h"
 #include "steering/continuous/priced_pieces.h"
 #include "steering/words.h"
 #include "vandplan/dubins.h"
@@ -131,9 +132,7 @@ double continuous_radius(const Vehicle& vehicle) noexcept {
 }
 
 bool Connector::may_jump(const Driven& before, const Driven& after) const {
-  return !continuous_ ||
-         (continuous_->continuity() == Continuity::between_stops &&
-          (before.gear == 0 || std::isnan(before.curvature) || before.gear == -after.gear));
+  return search::may_jump(task_.steering, before, after.gear);
 }
 
 // Standing ends come first, since no piece is shorter than one that begins and ends standing.
@@ -141,8 +140,7 @@ void Connector::find_ends(const LocalPose& pose, const Driven& beside,
                           std::vector<End>& ends) const {
   ends.clear();
   const bool between_stops = continuous_->continuity() == Continuity::between_stops;
-  const bool is_known = !std::isnan(beside.curvature);
-  const bool is_outermost = beside.gear == 0 || !is_known;
+  const bool is_outermost = beside.gear == 0 || !beside.is_known();
   if (is_outermost && (pose == task_.start || pose == task_.goal)) {
     const EndCurvatures& given = task_.curvatures;
     ends.push_back({between_stops, pose == task_.start ? given.start : given.goal, 0});
@@ -150,7 +148,8 @@ void Connector::find_ends(const LocalPose& pose, const Driven& beside,
   }
   const bool may_change = beside.gear != 0 && rule_.allows(-beside.gear);
   if (between_stops && may_change) ends.push_back({true, 0.0, -beside.gear});
-  const bool is_straight = !is_known || std::abs(beside.curvature) * radius_ < straight_wheels;
+  const bool is_straight =
+      !beside.is_known() || std::abs(beside.curvature) * radius_ < straight_wheels;
   if (!is_straight) return;
   // In the other gear the standing end costs no more, so that gear is left out.
   const bool is_one_gear = !ends.empty() && !rule_.is_length();

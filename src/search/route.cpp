@@ -34,16 +34,6 @@ void drive_on(std::vector<Leg>& legs, const Segment& segment, const LocalPose& e
   leg->end = end;
 }
 
-DrivenBeside driven_at_ends(const Task& task, const CostRule& rule) {
-  if (task.steering != Steering::continuous) return {rule.initial_gear, 0};
-  return {{rule.initial_gear, task.curvatures.start}, {0, task.curvatures.goal}};
-}
-
-DrivenBeside fitted_driven(const Task& task, const DrivenBeside& beside) {
-  if (task.steering == Steering::reeds_shepp) return {beside.before.gear, 0};
-  return beside;
-}
-
 DrivenBeside driven_around(const DrivenBeside& ends, const Route& route, std::size_t first,
                            std::size_t last) {
   DrivenBeside beside{ends.before, 0};

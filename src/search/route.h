@@ -44,13 +44,6 @@ inline constexpr std::size_t segments_of_leg = 5;
 void drive_on(std::vector<Leg>& legs, const Segment& segment, const LocalPose& end,
               std::size_t most = segments_of_leg, bool begins_leg = false);
 
-/// Gears and curvatures before the start and after the goal, as far as task and rule say.
-[[nodiscard]] DrivenBeside driven_at_ends(const Task& task, const CostRule& rule);
-
-/// Gears and curvatures that a piece between `beside` must match. If the wheels turn at once, only
-/// the gear before the piece counts.
-[[nodiscard]] DrivenBeside fitted_driven(const Task& task, const DrivenBeside& beside);
-
 /// Gears and curvatures before leg `first` and from leg `last` on. `ends`: those before and after
 /// the route.
 [[nodiscard]] DrivenBeside driven_around(const DrivenBeside& ends, const Route& route,

@@ -74,7 +74,7 @@ std::vector<Command> random_commands(int count, Rng& rng) {
 }
 
 /// Straight wheels where drives begin with them.
-commands::WheelEnds begin_of(Steering steering) {
+search::DrivenBeside begin_of(Steering steering) {
   return {steering == Steering::continuous ? Driven{0, 0.0} : Driven{}, {}};
 }
 
@@ -146,7 +146,7 @@ TEST(DriveShortenerLaw, IsNeverDearerNorMoreCrumbly) {
       const Path path{{1, 2, uniform(-3, 3, rng)}, wheels.driven(ended, begin_of(steering).before)};
       const Problem problem = problem_along(path);
       const Task task = task_of(problem, {}, steering);
-      const commands::WheelEnds ends = commands::wheel_ends(task);
+      const search::DrivenBeside ends = search::driven_at_ends(task);
       commands::Closer closer(task.vehicle, steering);
       if (!closer.close({task.start, 0}, ended, {task.goal, 0}, ends)) return;
       DriveShortener shortener(task, priced, ended, rng());
@@ -218,7 +218,7 @@ TEST(DriveShortener, SweepsAFreshDriveFirst) {
     const Path path{{0, 0, 0}, wheels.driven(commands, begin_of(steering).before)};
     const Problem problem = problem_along(path);
     const Task task = task_of(problem, {}, steering);
-    const commands::WheelEnds ends = commands::wheel_ends(task);
+    const search::DrivenBeside ends = search::driven_at_ends(task);
     commands::Closer closer(task.vehicle, steering);
     ASSERT_TRUE(closer.close({task.start, 0}, commands, {task.goal, 0}, ends));
     const double cost = DriveShortener(task, priced, commands, 1).cost();
@@ -335,7 +335,7 @@ TEST(Bender, TurnsTheWheelsLessWhereThatIsCheaper) {
     EXPECT_LT(bender.cost(), 0.9 * route.cost) << name_of(steering);
     const commands::Wheels wheels(task.vehicle, steering);
     const Path path{task.start,
-                    wheels.driven(bender.best().commands, commands::wheel_ends(task).before)};
+                    wheels.driven(bender.best().commands, search::driven_at_ends(task).before)};
     EXPECT_LT(sharpest(path.segments), 0.5 / radius);
     expect_same_pose(end_of(path), task.goal, 1e-9);
     expect_drivable(path, problem, steering);

@@ -55,7 +55,7 @@ double distance_from(const Path& path, const Pose& place) {
 
 /// What follows the way, if anything does; `steps` counts the work.
 std::optional<Path> followed(const Task& task, std::span<const Segment> way, int* steps = nullptr) {
-  const commands::WheelEnds ends = commands::wheel_ends(task);
+  const search::DrivenBeside ends = search::driven_at_ends(task);
   commands::Closer closer(task.vehicle, task.steering);
   Follower follower(task, ends, closer, 1);
   follower.follow(way);

@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,9 +40,9 @@ Vehicle towing_vehicle() {
 }
 
 /// Wheels that may be anywhere before `continuous` drives, and may jump before others.
-commands::WheelEnds ends_for(Steering steering, double before, std::optional<double> after = {}) {
+search::DrivenBeside ends_for(Steering steering, double before, double after = Driven::any) {
   if (steering == Steering::continuous_between_stops) return {};
-  return {{0, before}, after};
+  return {{0, before}, {0, after}};
 }
 
 std::vector<Command> any_commands(int count, Rng& rng) {
@@ -104,7 +103,7 @@ TEST(RigWheelsLaw, CommandsLeadAlongWhatIsDriven) {
   for_each_case(2, 2000, [&](Rng& rng) {
     for (const Steering steering : kinds_for_rigs) {
       const commands::Wheels wheels(vehicle, steering);
-      const commands::WheelEnds ends = ends_for(steering, uniform(-1, 1, rng) / 5.9);
+      const search::DrivenBeside ends = ends_for(steering, uniform(-1, 1, rng) / 5.9);
       const std::vector<Command> commands = any_commands(6, rng);
       const std::vector<Segment> driven = wheels.driven(commands, ends.before);
       const Pose end = end_pose({{}, driven});
@@ -126,7 +125,7 @@ TEST(RigWheels, LeadAlongArcsWhoseCurvatureJumps) {
   const std::vector<Segment> back = {{0, 8}, {0.05, 6}, {-0.1, -7}};
   for (const Steering steering : kinds_for_rigs) {
     const commands::Wheels wheels(towing_vehicle(), steering);
-    const commands::WheelEnds ends = ends_for(steering, 0.0);
+    const search::DrivenBeside ends = ends_for(steering, 0.0);
     const Pose rolled = end_pose({{}, wheels.driven(wheels.commands(arcs, ends), ends.before)});
     EXPECT_NEAR(rolled.x, end_pose({{}, arcs}).x, 0.05);
     EXPECT_NEAR(rolled.y, end_pose({{}, arcs}).y, 0.05);
@@ -167,7 +166,7 @@ TEST_P(ContinuousCloser, BendsADriveUntilItEndsThere) {
     const RigState start{{0, 0, 0}, uniform(-0.3, 0.3, rng)};
     std::vector<Command> commands = any_commands(8, rng);
     const double last = commands.back().curvature;
-    const commands::WheelEnds ends = ends_for(steering, uniform(-1, 1, rng) / 5.9, last);
+    const search::DrivenBeside ends = ends_for(steering, uniform(-1, 1, rng) / 5.9, last);
     const std::vector<Segment> first = wheels.driven(commands, ends.before);
     if (largest_angle(vehicle, start, first) > 0.9) return;
     ++tried;
@@ -186,11 +185,11 @@ TEST_P(ContinuousCloser, BendsADriveUntilItEndsThere) {
     EXPECT_NEAR(there.pose.y, end.pose.y, 1e-9);
     EXPECT_NEAR(std::remainder(there.pose.heading - end.pose.heading, 2 * pi), 0, 1e-9);
     EXPECT_NEAR(there.hitch_angle, end.hitch_angle, 1e-9);
-    expect_continuous(
-        {{}, driven},
-        problem_along(vehicle, start, {{1, 0, 0}, 0.0},
-                      {ends.after ? ends.before.curvature : 0.0, ends.after.value_or(0.0)}),
-        steering);
+    expect_continuous({{}, driven},
+                      problem_along(vehicle, start, {{1, 0, 0}, 0.0},
+                                    {ends.after.is_known() ? ends.before.curvature : 0.0,
+                                     ends.after.is_known() ? ends.after.curvature : 0.0}),
+                      steering);
   });
   RecordProperty("closed", closed);
   RecordProperty("tried", tried);
@@ -210,7 +209,7 @@ TEST(RigWheels, ACloserHoldsTheHitchAngleInsideOfAClothoid) {
   const Vehicle vehicle = towing_vehicle();
   const commands::Wheels wheels(vehicle, Steering::continuous);
   commands::Closer closer(vehicle, Steering::continuous);
-  const commands::WheelEnds ends{{1, 1 / 5.9}, {}};
+  const search::DrivenBeside ends{{1, 1 / 5.9}, {}};
   for (const double angle : {1.15, 1.198}) {
     const RigState start{{0, 0, 0}, angle};
     std::vector<Command> commands = {{-1 / 5.9, 6}};

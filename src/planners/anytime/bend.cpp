@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "search/wheels.h"
+
 namespace vandplan::anytime {
 namespace {
 
@@ -21,7 +23,7 @@ Bender::Bender(const Task& task, const CostRule& rule, std::uint64_t seed, Measu
     : task_(task),
       rule_(rule),
       wheels_(task.vehicle, task.steering),
-      ends_(commands::wheel_ends(task)),
+      ends_(driven_at_ends(task)),
       closer_(task.vehicle, task.steering),
       seed_(seed),
       measure_(std::move(measure)),

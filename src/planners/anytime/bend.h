@@ -80,7 +80,7 @@ class Bender {
   const Task& task_;
   const CostRule& rule_;
   commands::Wheels wheels_;
-  commands::WheelEnds ends_;
+  DrivenBeside ends_;
   commands::Closer closer_;
   std::uint64_t seed_;
   Measure measure_;

@@ -9,33 +9,16 @@
 #include <utility>
 
 #include "base/splice.h"
+#include "search/wheels.h"
 
 namespace vandplan::anytime {
 namespace {
 
-constexpr double curvature_rounding = 1e-12;  // relative rounding of curvatures and rates
-constexpr double sideways = 0.3;              // share of repairs without a gain that are kept
-constexpr std::size_t max_spanned_legs = 6;   // most links at an end that one piece replaces
-constexpr int repairs = 12;                   // trials to free a route along a path
+constexpr double sideways = 0.3;             // share of repairs without a gain that are kept
+constexpr std::size_t max_spanned_legs = 6;  // most links at an end that one piece replaces
+constexpr int repairs = 12;                  // trials to free a route along a path
 
 }  // namespace
-
-bool may_follow(const Connector& connector, const Driven& before, const Segment& segment) {
-  // NaN if the curvature before is unknown.
-  const double jump = std::abs(segment.curvature - before.curvature);
-  return !(jump * connector.radius() > straight_wheels) ||
-         connector.may_jump(before, {gear_of(segment), segment.curvature});
-}
-
-bool can_drive(const Connector& connector, const Segment& segment) {
-  if (!may_drive(connector.rule(), std::span(&segment, 1))) return false;
-  const double sharpest = (1 + curvature_rounding) / connector.radius();
-  const double end = curvature_at(segment, std::abs(segment.length));
-  if (std::max(std::abs(segment.curvature), std::abs(end)) > sharpest) return false;
-  const ContinuousSteering* const continuous = connector.continuous();
-  const double fastest = continuous == nullptr ? 0.0 : continuous->curvature_rate();
-  return std::abs(segment.curvature_rate) <= fastest * (1 + curvature_rounding);
-}
 
 Chain::Chain(const Task& task, Connector& connector, const Path& old, std::uint64_t seed)
     : task_(task), connector_(connector), old_(old), rng_(seed), vias_(vias_of(old)) {
@@ -90,7 +73,7 @@ Chain::Link Chain::link_between(const Via& from, const Via& to, const Piece& pie
 
 /// Gears and curvatures before link `first` and from link `last` on.
 DrivenBeside Chain::driven_beside(std::size_t first, std::size_t last) const {
-  const DrivenBeside ends = driven_at_ends(task_, connector_.rule());
+  const DrivenBeside ends = driven_at_ends(task_, connector_.rule().initial_gear);
   return {first == 0 ? ends.before : last_driven(links_[first - 1].piece),
           last == links_.size() ? ends.after : first_driven(links_[last].piece)};
 }
@@ -114,7 +97,7 @@ std::optional<std::vector<Chain::Link>> Chain::linked(std::span<const Via> vias,
 }
 
 bool Chain::join() {
-  const DrivenBeside ends = driven_at_ends(task_, connector_.rule());
+  const DrivenBeside ends = driven_at_ends(task_, connector_.rule().initial_gear);
   auto all = linked(vias_, ends);
   if (!all) {  // with straight wheels there is always a way
     for (Via& via : vias_) via.next = 0;
@@ -150,7 +133,7 @@ std::optional<Piece> Chain::old_piece(const Via& from, const Via& to, Driven bef
 }
 
 bool Chain::take_over() {
-  const DrivenBeside ends = driven_at_ends(task_, connector_.rule());
+  const DrivenBeside ends = driven_at_ends(task_, connector_.rule().initial_gear);
   Driven before = ends.before;
   for (std::size_t i = 0; i + 1 < vias_.size(); ++i) {
     const bool is_last = i + 2 == vias_.size();

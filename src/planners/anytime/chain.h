@@ -16,15 +16,6 @@ namespace vandplan::anytime {
 
 using namespace search;
 
-/// Whether a segment may be driven after `before`: the curvature goes on as it was, or may jump
-/// there.
-[[nodiscard]] bool may_follow(const Connector& connector, const Driven& before,
-                              const Segment& segment);
-
-/// Whether the vehicle can drive a segment: its gear is allowed, and the wheels turn as far and as
-/// fast as the segment needs.
-[[nodiscard]] bool can_drive(const Connector& connector, const Segment& segment);
-
 /// Pieces from place to place along an old path, from the task's start to its goal. Some pieces may
 /// be blocked by obstacles.
 class Chain {

@@ -8,6 +8,7 @@
 
 #include "planners/shared_options.h"
 #include "search/far_guide.h"
+#include "search/wheels.h"
 
 namespace vandplan::anytime {
 namespace {
@@ -84,7 +85,7 @@ void Detours::choose() {
 void Detours::begin() {
   choose();
   CostRule rule = rule_;
-  beside_ = driven_at_ends(task_, rule_);
+  beside_ = driven_at_ends(task_, rule_.initial_gear);
   if (!before_.legs.empty()) beside_.before = last_driven(before_.legs.back().piece);
   if (!after_.legs.empty()) beside_.after = first_driven(after_.legs.front().piece);
   rule.initial_gear = beside_.before.gear;

@@ -11,6 +11,7 @@
 #include "planners/anytime/tidy.h"
 #include "planners/commands/short_strokes.h"
 #include "planners/commands/shorten_drive.h"
+#include "search/wheels.h"
 
 namespace vandplan::anytime {
 namespace {
@@ -63,7 +64,8 @@ std::optional<Drive> Finisher::drivable(const Best& best, const std::vector<Segm
         best.drive != nullptr && best.drive->route ? *best.drive->route : *best.route;
     const Route legs = is_bent ? legs_along({task_.start, raw}, task_.goal) : route;
     drivable.segments =
-        path_of(with_strokes(connector, driven_at_ends(task_, rule), legs, stroke)).segments;
+        path_of(with_strokes(connector, driven_at_ends(task_, rule.initial_gear), legs, stroke))
+            .segments;
   }
   if (rules_.is_continuous && rules_.has_prices && !best.is_optimal) {
     std::vector<Segment> neat = tidied(connector, task_.start, drivable.segments, 0.0);

@@ -25,7 +25,7 @@ constexpr double never = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-Follower::Follower(const Task& task, const commands::WheelEnds& ends, commands::Closer& closer,
+Follower::Follower(const Task& task, const search::DrivenBeside& ends, commands::Closer& closer,
                    std::uint64_t seed)
     : task_(task), ends_(ends), wheels_(task.vehicle, task.steering), closer_(closer), rng_(seed) {}
 
@@ -55,10 +55,10 @@ void Follower::cut(std::span<const Segment> way) {
     }
     way_.push_back(rest);
     pose = advance(pose, segment);
-    if (is_stop) cuts_.push_back({way_.size(), pose, std::nullopt});
+    if (is_stop) cuts_.push_back({way_.size(), pose, Driven::any});
     before = last;
   }
-  cuts_.push_back({way_.size(), task_.goal, ends_.after});
+  cuts_.push_back({way_.size(), task_.goal, ends_.after.curvature});
 }
 
 void Follower::follow(std::span<const Segment> way) {
@@ -93,7 +93,7 @@ double Follower::blocked(std::span<const Command> commands, LocalPose pose, Driv
 /// Finds commands from a stage to a cut. False if no change of them leads there.
 bool Follower::lead(Part& part) {
   const Cut& to = cuts_[part.cut];
-  const commands::WheelEnds ends{part.from.driven, to.curvature};
+  const search::DrivenBeside ends{part.from.driven, {0, to.curvature}};
   part.commands = wheels_.commands(
       std::span(way_).subspan(part.from.segment, to.segment - part.from.segment), ends);
   commands::hold_curvatures(part.commands, task_.vehicle.min_turning_radius);
@@ -175,7 +175,7 @@ void Follower::shake() {
     const double longer = std::abs(command.length) + scale * uniform(-1.0, 1.0, rng_) * radius;
     command.length = gear_of(command) * std::max(longer, std::abs(command.length) / 2);
   }
-  const commands::WheelEnds ends = wheels_.ends_of_part(drive_, driven_, first, last, ends_);
+  const search::DrivenBeside ends = wheels_.ends_of_part(drive_, driven_, first, last, ends_);
   if (!closer_.close({poses_[first], 0.0}, trial, {poses_[last], 0.0}, ends)) return;
   Driven behind = driven_[first];
   for (const Command& command : trial) (void)wheels_.obey(command, behind);

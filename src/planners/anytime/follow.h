@@ -22,7 +22,7 @@ namespace vandplan::anytime {
 class Follower {
  public:
   /// The task has no trailer. Task and closer outlive the follower.
-  Follower(const Task& task, const commands::WheelEnds& ends, commands::Closer& closer,
+  Follower(const Task& task, const search::DrivenBeside& ends, commands::Closer& closer,
            std::uint64_t seed);
 
   /// Begins to follow another way.
@@ -39,7 +39,7 @@ class Follower {
   struct Cut {
     std::size_t segment;  // index of the first segment behind the cut
     LocalPose pose;
-    std::optional<double> curvature;  // curvature of the wheels there [1/m]; none: any
+    double curvature;  // curvature of the wheels there [1/m]; `Driven::any`: any
   };
   /// How far the drive has come.
   struct Stage {
@@ -72,7 +72,7 @@ class Follower {
   void shake();
 
   const Task& task_;
-  commands::WheelEnds ends_;
+  search::DrivenBeside ends_;
   commands::Wheels wheels_;
   commands::Closer& closer_;
   Rng rng_;

@@ -48,7 +48,7 @@ Lattice::Lattice(const LocalPose& root, const LocalPose& target, const DrivenBes
       locks_(locks_for(connector, step_length_, options.max_locks)),
       closed_(1024, 0) {
   route_.start = root;
-  open({root, {std::isnan(beside.before.curvature) ? 0.0 : beside.before.curvature, 0.0}, 0.0, -1});
+  open({root, {beside.before.is_known() ? beside.before.curvature : 0.0, 0.0}, 0.0, -1});
 }
 
 // Number of a node's cell; never 0, which marks a free slot.

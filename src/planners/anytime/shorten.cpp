@@ -95,12 +95,6 @@ void Shortener::next_window() {
   if (is_whole()) route_.cost = cost_of(connector_.rule(), route_);
 }
 
-// Gears and curvatures before and after the legs [first, last).
-DrivenBeside Shortener::driven_beside(std::size_t first, std::size_t last) const {
-  const bool needs_gears = !connector_.rule().is_length() || connector_.continuous() != nullptr;
-  return needs_gears ? driven_around(beside_, route_, first, last) : DrivenBeside{};
-}
-
 Shortener::Place Shortener::random_place() {
   double length = 0.0;
   for (std::size_t i = window_.first; i < window_.last; ++i) length += route_.legs[i].piece.length;
@@ -146,7 +140,7 @@ double Shortener::cost_of_legs(std::span<const Leg> legs, const DrivenBeside& be
 
 // The legs that a trial would replace, and the cost that it must undercut.
 Shortener::Stretch Shortener::stretch(std::size_t first, std::size_t last) const {
-  const DrivenBeside beside = driven_beside(first, last);
+  const DrivenBeside beside = driven_around(beside_, route_, first, last);
   const double cost = cost_of_legs(std::span(route_.legs).subspan(first, last - first), beside);
   return {first, last, beside, measure_ ? guide_leeway * cost : cost};
 }

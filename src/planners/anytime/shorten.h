@@ -65,7 +65,6 @@ class Shortener {
   };
 
   [[nodiscard]] bool is_whole() const { return window_.size() == route_.legs.size(); }
-  [[nodiscard]] DrivenBeside driven_beside(std::size_t first, std::size_t last) const;
   void move_window();
   void next_window();
   [[nodiscard]] std::size_t random_via();

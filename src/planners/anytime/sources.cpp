@@ -9,6 +9,7 @@
 
 #include "search/far_guide.h"
 #include "search/grid_distance.h"
+#include "search/wheels.h"
 
 namespace vandplan::anytime {
 namespace {
@@ -92,7 +93,7 @@ void Ladder::next_guide() {
 
 // Gears and curvatures before and after the route of a search, in its direction.
 DrivenBeside Ladder::driven_beside_route(const CostRule& rule) const {
-  DrivenBeside beside = driven_at_ends(task_, rule);
+  DrivenBeside beside = driven_at_ends(task_, rule.initial_gear);
   if (root_ == Root::goal) std::swap(beside.before.curvature, beside.after.curvature);
   return beside;
 }

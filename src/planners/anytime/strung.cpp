@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/trigonometry.h"
+#include "search/wheels.h"
 
 namespace vandplan::anytime {
 namespace {
@@ -103,7 +104,7 @@ const LocalPose& Strung::here() const {
 }
 
 DrivenBeside Strung::driven_beside_leg() const {
-  DrivenBeside beside = driven_at_ends(task_, connector_.rule());
+  DrivenBeside beside = driven_at_ends(task_, connector_.rule().initial_gear);
   if (!route_.legs.empty()) beside.before = last_driven(route_.legs.back().piece);
   if (next_ + 1 < corners_.size()) beside.after = {};
   return fitted_driven(task_, beside);

@@ -76,15 +76,16 @@ Closer::Place Closer::place_after(const Place& from, const Segment& segment) con
       hitch_angle};
 }
 
-void Closer::drive(const RigState& from, std::span<Command> commands, const WheelEnds& ends) {
+void Closer::drive(const RigState& from, std::span<Command> commands,
+                   const search::DrivenBeside& ends) {
   const auto [sin, cos] = base::sin_cos(from.pose.heading);
   places_.assign(1, {from.pose, sin, cos, from.hitch_angle});
   obeyed_.clear();
   between_.clear();
   search::Driven driven = ends.before;
   for (Command& command : commands) {
-    if (ends.after && &command == &commands.back()) {
-      command.curvature = *ends.after;
+    if (ends.after.is_known() && &command == &commands.back()) {
+      command.curvature = ends.after.curvature;
       lengthen(wheels_, driven, command);
     }
     const Obeyed obeyed = wheels_.obey(command, driven);
@@ -139,7 +140,7 @@ Closer::Change Closer::change(const Place& first, const Segment& segment, const 
 /// Step B: derivatives of the end by each command. The curvature of a command bends its arc and the
 /// clothoid of the next command. If the wheels do not reach the curvature, the length of the
 /// command decides how far they turn.
-void Closer::differentiate(std::span<const Command> commands, const WheelEnds& ends) {
+void Closer::differentiate(std::span<const Command> commands, const search::DrivenBeside& ends) {
   columns_.assign(commands.size(), {});
   double passed_on = 1.0;  // derivative of the last hitch angle by that after the command
   Vector by_wheels = {};   // derivative of the end by the curvature after the command
@@ -169,7 +170,7 @@ void Closer::differentiate(std::span<const Command> commands, const WheelEnds& e
     } else {
       by_wheels = sum(at_end.bend, 1.0, by_wheels);
     }
-    if (ends.after && i + 1 == commands.size()) {
+    if (ends.after.is_known() && i + 1 == commands.size()) {
       column.curvature_is_fixed = true;
       if (is_turning) by_wheels = sum(by_wheels, -1 / turning, at_end.stretch);
       column.is_shortest = is_turning;
@@ -298,7 +299,7 @@ bool Closer::is_steady() const {
 }
 
 bool Closer::close(const RigState& from, std::span<Command> commands, const RigState& to,
-                   const WheelEnds& ends) {
+                   const search::DrivenBeside& ends) {
   for (int i = 0; i < most_iterations; ++i) {
     drive(from, commands, ends);
     const Vector open = gap(to);
@@ -313,7 +314,7 @@ bool Closer::close(const RigState& from, std::span<Command> commands, const RigS
 }
 
 std::optional<std::vector<Command>> obeyed(const Task& task, std::vector<Command> commands) {
-  const WheelEnds ends = wheel_ends(task);
+  const search::DrivenBeside ends = search::driven_at_ends(task);
   const RigState from{task.start, task.hitch_angles.start};
   const RigState to{task.goal, task.hitch_angles.goal};
   if (!Closer(task.vehicle, task.steering).close(from, commands, to, ends)) return std::nullopt;
@@ -325,7 +326,7 @@ std::optional<std::vector<Command>> obeyed(const Task& task, std::vector<Command
 std::optional<std::vector<Command>> commands_along(const Task& task,
                                                    std::span<const Segment> segments) {
   const Wheels wheels(task.vehicle, task.steering);
-  std::vector<Command> commands = wheels.commands(segments, wheel_ends(task));
+  std::vector<Command> commands = wheels.commands(segments, search::driven_at_ends(task));
   hold_curvatures(commands, task.vehicle.min_turning_radius);
   if (commands.empty()) return std::nullopt;
   return obeyed(task, std::move(commands));

@@ -28,7 +28,7 @@ class Closer {
   /// wheels are as `ends` says, and no rounding error of a hitch angle grows by more than 10^4 on
   /// the way. If false, the commands are of no use. A command may end up without length.
   [[nodiscard]] bool close(const RigState& from, std::span<Command> commands, const RigState& to,
-                           const WheelEnds& ends = {});
+                           const search::DrivenBeside& ends = {});
 
   /// State before command `i` of the commands that were closed last.
   [[nodiscard]] RigState state_before(std::size_t i) const {
@@ -55,12 +55,12 @@ class Closer {
     Vector bend, stretch;
   };
 
-  void drive(const RigState& from, std::span<Command> commands, const WheelEnds& ends);
+  void drive(const RigState& from, std::span<Command> commands, const search::DrivenBeside& ends);
   [[nodiscard]] Vector gap(const RigState& to) const;
   [[nodiscard]] Place place_after(const Place& from, const Segment& segment) const;
   [[nodiscard]] Change change(const Place& first, const Segment& segment, const Place& last,
                               double& passed_on) const;
-  void differentiate(std::span<const Command> commands, const WheelEnds& ends);
+  void differentiate(std::span<const Command> commands, const search::DrivenBeside& ends);
   [[nodiscard]] bool solve(const Vector& gap, Vector& multipliers) const;
   [[nodiscard]] bool step(std::span<Command> commands, const Vector& gap);
   [[nodiscard]] bool is_held() const;

@@ -85,7 +85,7 @@ class DriveShortener {
   const search::CostRule& rule_;
   Measure measure_;
   Wheels wheels_;
-  WheelEnds ends_;
+  search::DrivenBeside ends_;
   Closer closer_;
   double crumb_;
   std::vector<Command> commands_;

@@ -33,11 +33,6 @@ void turn_ahead(std::vector<Command>& commands, double curvature, double half, G
 Wheels::Wheels(const Vehicle& vehicle, Steering steering)
     : steering_(steering), rate_(max_curvature_rate(vehicle)) {}
 
-bool Wheels::may_jump(const Driven& before, GearSign next) const {
-  if (steering_ == Steering::continuous_between_stops) return before.gear != next;
-  return are_free();
-}
-
 double Wheels::way(double from, double to) const { return std::abs(to - from) / rate_; }
 
 Obeyed Wheels::obey(const Command& command, Driven& before) const {
@@ -75,7 +70,7 @@ std::vector<Segment> Wheels::driven(std::span<const Command> commands, Driven be
 }
 
 std::vector<Command> Wheels::commands(std::span<const Segment> segments,
-                                      const WheelEnds& ends) const {
+                                      const search::DrivenBeside& ends) const {
   std::vector<Command> result;
   result.reserve(segments.size());
   Driven before = ends.before;
@@ -98,9 +93,10 @@ std::vector<Command> Wheels::commands(std::span<const Segment> segments,
     result.push_back(command);
     before = after;
   }
-  if (ends.after && !result.empty() && *ends.after != result.back().curvature) {
+  const double last = ends.after.curvature;
+  if (ends.after.is_known() && !result.empty() && last != result.back().curvature) {
     const GearSign gear = gear_of(result.back());
-    result.push_back({*ends.after, gear * way(result.back().curvature, *ends.after)});
+    result.push_back({last, gear * way(result.back().curvature, last)});
   }
   return result;
 }
@@ -124,12 +120,14 @@ std::vector<Command> Wheels::tidied(std::span<const Command> commands, Driven be
   return result;
 }
 
-WheelEnds Wheels::ends_of_part(std::span<const Command> chain, std::span<const Driven> driven,
-                               std::size_t first, std::size_t last, const WheelEnds& ends) const {
+search::DrivenBeside Wheels::ends_of_part(std::span<const Command> chain,
+                                          std::span<const Driven> driven, std::size_t first,
+                                          std::size_t last,
+                                          const search::DrivenBeside& ends) const {
   if (last == chain.size()) return {driven[first], ends.after};
-  WheelEnds result{driven[first], {}};
-  if (!may_jump(driven[last], gear_of(chain[last]))) result.after = driven[last].curvature;
-  return result;
+  const GearSign next = gear_of(chain[last]);
+  const bool is_any = may_jump(driven[last], next);
+  return {driven[first], {next, is_any ? Driven::any : driven[last].curvature}};
 }
 
 void hold_curvatures(std::span<Command> commands, double turning_radius) {
@@ -137,11 +135,6 @@ void hold_curvatures(std::span<Command> commands, double turning_radius) {
   for (Command& command : commands) {
     command.curvature = std::clamp(command.curvature, -sharpest, sharpest);
   }
-}
-
-WheelEnds wheel_ends(const Task& task) {
-  if (task.steering != Steering::continuous) return {};
-  return {{0, task.curvatures.start}, task.curvatures.goal};
 }
 
 }  // namespace vandplan::commands

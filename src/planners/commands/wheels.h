@@ -11,10 +11,10 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
+#include "search/wheels.h"
 #include "vandplan/problem.h"
 #include "vandplan/search.h"
 
@@ -33,12 +33,6 @@ struct Command {
 [[nodiscard]] inline search::GearSign gear_of(const Command& command) {
   return command.length < 0.0 ? -1 : 1;
 }
-
-/// Gear and curvature before the first command of a chain, and curvature after its last command.
-struct WheelEnds {
-  search::Driven before = {};
-  std::optional<double> after = {};  ///< curvature after the last command [1/m]; none: any
-};
 
 /// Segments that are driven for one command.
 struct Obeyed {
@@ -59,9 +53,10 @@ class Wheels {
   /// Whether the curvature may jump anywhere, not only at stops.
   [[nodiscard]] bool are_free() const { return steering_ == Steering::reeds_shepp; }
 
-  /// Whether the curvature may jump at a place: `before` are gear and curvature before it, `next`
-  /// is the gear after it.
-  [[nodiscard]] bool may_jump(const search::Driven& before, search::GearSign next) const;
+  /// `search::may_jump` for these wheels.
+  [[nodiscard]] bool may_jump(const search::Driven& before, search::GearSign next) const {
+    return search::may_jump(steering_, before, next);
+  }
 
   /// Segments that are driven for a command. `before`: gear and curvature before the command; the
   /// call sets it to those after the command. No segments, and `before` stays, if the command is
@@ -75,20 +70,21 @@ class Wheels {
   /// Commands along segments whose curvature may jump. At a jump, the wheels turn half before and
   /// half after it, if there is room.
   [[nodiscard]] std::vector<Command> commands(std::span<const Segment> segments,
-                                              const WheelEnds& ends) const;
+                                              const search::DrivenBeside& ends) const;
 
   /// The commands without those shorter than 1e-10 m; equal neighbours are joined. A curvature that
   /// the wheels do not reach is replaced by the curvature that they reach.
   [[nodiscard]] std::vector<Command> tidied(std::span<const Command> commands,
                                             search::Driven before) const;
 
-  /// Wheel ends of the commands [first, last) of a chain, which are about to change. Where the
-  /// vehicle rolls on after command last - 1, the curvature there must stay for the next command.
-  /// `driven`: gear and curvature before each command, and at the end. `ends`: wheel ends of the
-  /// whole chain.
-  [[nodiscard]] WheelEnds ends_of_part(std::span<const Command> chain,
-                                       std::span<const search::Driven> driven, std::size_t first,
-                                       std::size_t last, const WheelEnds& ends) const;
+  /// Gears and curvatures around the commands [first, last) of a chain, which are about to change.
+  /// Where the vehicle rolls on after command last - 1, the curvature there must stay for the next
+  /// command. `driven`: gear and curvature before each command, and at the end. `ends`: those
+  /// around the whole chain.
+  [[nodiscard]] search::DrivenBeside ends_of_part(std::span<const Command> chain,
+                                                  std::span<const search::Driven> driven,
+                                                  std::size_t first, std::size_t last,
+                                                  const search::DrivenBeside& ends) const;
 
   /// Distance driven while the wheels turn from one curvature to another [m].
   [[nodiscard]] double way(double from, double to) const;
@@ -104,8 +100,5 @@ class Wheels {
 
 /// Limits the curvatures of commands to the turning radius.
 void hold_curvatures(std::span<Command> commands, double turning_radius);
-
-/// Wheel ends of the whole drive of a task. They are free unless the steering is `continuous`.
-[[nodiscard]] WheelEnds wheel_ends(const Task& task);
 
 }  // namespace vandplan::commands

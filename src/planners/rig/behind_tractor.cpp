@@ -185,7 +185,7 @@ bool Follower::step() {
   const auto found = replacing_->search.take_found();
   if (goes_on && !found) return true;
   if (found) {
-    const commands::WheelEnds ends = commands::wheel_ends(replacing_->task);
+    const search::DrivenBeside ends = search::driven_at_ends(replacing_->task);
     const commands::Wheels wheels(task_.vehicle, replacing_->task.steering);
     solved_[*parts_] = wheels.driven(*found, ends.before);
   }

@@ -7,7 +7,7 @@ namespace vandplan::rig {
 ExactDrive::ExactDrive(const Task& task)
     : task_(task),
       wheels_(task.vehicle, task.steering),
-      ends_(commands::wheel_ends(task)),
+      ends_(search::driven_at_ends(task)),
       closer_(task.vehicle, task.steering) {}
 
 std::optional<std::vector<commands::Command>> ExactDrive::along(std::span<const Segment> segments) {

@@ -28,7 +28,7 @@ class ExactDrive {
  private:
   const Task& task_;
   commands::Wheels wheels_;
-  commands::WheelEnds ends_;
+  search::DrivenBeside ends_;
   commands::Closer closer_;
 };
 

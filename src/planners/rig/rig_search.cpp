@@ -100,7 +100,7 @@ RigSearch::RigSearch(const Task& task, const CostRule& rule, const Guides& guide
                      const Fineness& fineness)
     : task_(task),
       wheels_(task.vehicle, task.steering),
-      ends_(wheel_ends(task)),
+      ends_(search::driven_at_ends(task)),
       exact_(task),
       steering_(steering_of(task.vehicle)),
       fineness_(fineness),
@@ -113,8 +113,7 @@ RigSearch::RigSearch(const Task& task, const CostRule& rule, const Guides& guide
       sides_{side_from({task.start, task.hitch_angles.start}, {task.goal, task.hitch_angles.goal},
                        ends_.before, priced(rule), guides.to_goal),
              side_from({task.goal, task.hitch_angles.goal}, {task.start, task.hitch_angles.start},
-                       ends_.after ? Driven{0, *ends_.after} : Driven{},
-                       search::reversed(priced(rule), 0), guides.to_start)} {}
+                       ends_.after, search::reversed(priced(rule), 0), guides.to_start)} {}
 
 RigSearch::Side RigSearch::side_from(const RigState& root, const RigState& target,
                                      const Driven& before, const CostRule& rule,

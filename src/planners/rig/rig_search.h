@@ -148,7 +148,7 @@ class RigSearch {
 
   const Task& task_;
   Wheels wheels_;
-  WheelEnds ends_;
+  search::DrivenBeside ends_;
   ExactDrive exact_;
   /// Exact steering; none for vehicles that it does not support.
   std::optional<RigSteering> steering_;
