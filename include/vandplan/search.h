@@ -169,6 +169,10 @@ struct Driven {
 [[nodiscard]] double drive_cost(const CostRule& rule, std::span<const Segment> segments,
                                 Driven& driven);
 
+/// Cost of driving the segments from the start of a drive [m], without the surcharge near
+/// obstacles.
+[[nodiscard]] double drive_cost(const CostRule& rule, std::span<const Segment> segments);
+
 /// The rule for driving a path from its end to its start: the gears change places. `before` is the
 /// gear before the first metre of that.
 [[nodiscard]] CostRule reversed(const CostRule& rule, GearSign before);

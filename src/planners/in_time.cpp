@@ -61,7 +61,7 @@ class InTimeRun {
       : task_(task),
         options_(options),
         paths_(sources),
-        pricing_(task, options.cost),
+        pricing_(task, options.cost, time_price),
         budget_(options.budget) {}
 
   [[nodiscard]] PlannerAnswer answer() {
@@ -154,7 +154,7 @@ class InTimeRun {
 
   void add_detour() {
     if (!refuges_) {
-      refuges_.emplace(task_, planning::Pricing(task_, options_.cost, time_price).rule(), options_);
+      refuges_.emplace(task_, pricing_.rule(), options_);
     }
     const Source& alone = sources_.front();
     const std::int64_t done = refuges_->iterations();
@@ -250,8 +250,8 @@ class InTimeRun {
 
   /// Looks for times along a path: in haste at first, with care when the source has its next turn.
   void consider(Source& source, const std::vector<Segment>& segments, bool is_hasty) {
-    const double path_cost = pricing_.cost(segments, search::ClearanceSampling::answer);
-    source.fastest_cost = with_time(path_cost, planning::drive_time(task_, segments));
+    const double path_cost = pricing_.path_cost(segments, search::ClearanceSampling::answer);
+    source.fastest_cost = pricing_.timed_cost(path_cost, planning::drive_time(task_, segments));
     if (best_ && best_->cost <= source.fastest_cost) return;
     if (is_hasty && !source.detour) {  // sources near each other find the same paths
       if (std::ranges::find(offered_, segments) != offered_.end()) return;
@@ -275,7 +275,7 @@ class InTimeRun {
     budget_.spend(budget_.left(yielding.states / states_per_iteration, 0));
     double cost = endless;
     if (yielding.speeds) {
-      cost = with_time(path_cost, yielding.speeds->duration);
+      cost = pricing_.timed_cost(path_cost, yielding.speeds->duration);
       if (!best_ || cost < best_->cost) {
         trace_.push_back({budget_.elapsed(), budget_.iterations(), path_cost});
         best_ = TimedWay{segments, *std::move(yielding.speeds), path_cost, cost};
@@ -340,13 +340,7 @@ class InTimeRun {
 
   /// Longest drive along a path of cost `path_cost` that is better than the best drive [s].
   [[nodiscard]] double longest_of(double path_cost) const {
-    if (!best_) return endless;
-    return pricing_.is_time() ? best_->cost : (best_->cost - path_cost) / time_price;
-  }
-
-  [[nodiscard]] double with_time(double path_cost, double duration) const {
-    const bool is_time = pricing_.is_time();
-    return is_time ? duration : path_cost + time_price * duration;
+    return best_ ? pricing_.duration(path_cost, best_->cost) : endless;
   }
 
   PlannerAnswer finished(PlannerAnswer&& first) {
@@ -373,7 +367,7 @@ class InTimeRun {
   const Task& task_;
   const PlanOptions& options_;
   std::span<const NamedSource> paths_;  // sources of paths from the caller
-  planning::Pricing pricing_;           // cost of a path if nothing moves
+  planning::Pricing pricing_;
   Budget budget_;
   std::deque<Source> sources_;                 // the first source has no ghosts
   std::vector<std::vector<Ghost>> tried_;      // ghosts of all sources, also of refused ones

@@ -279,10 +279,9 @@ class SetRun {
   /// Cost of a path to a goal. Among moving obstacles the drive may have to wait.
   [[nodiscard]] double cost_of(const Candidate& goal, const std::vector<Segment>& path) const {
     if (task_.moving.empty()) return pricing_.cost(path, search::ClearanceSampling::search);
-    const double duration = goal.search->answer().speeds->duration;
-    if (pricing_.is_time()) return duration;
-    const Pricing of_path(goal.task, options_.cost);
-    return of_path.cost(path, search::ClearanceSampling::search) + time_price_ * duration;
+    const Pricing pricing(goal.task, options_.cost, time_price_);
+    return pricing.timed_cost(pricing.path_cost(path, search::ClearanceSampling::search),
+                              goal.search->answer().speeds->duration);
   }
 
   void take_proof(Candidate& goal) {

@@ -2,12 +2,32 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "planners/pricing.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "planners/drive_time.h"
 
 namespace vandplan::planning {
 namespace {
+
+constexpr double price_of_metre = 1e3;  // price of a metre that strokes are too short [m or s]
+
+/// Sum of the lengths by which strokes are shorter than `least` [m]; 0 without a gear change.
+double missing(std::span<const Segment> segments, double least) {
+  double sum = 0.0;
+  double stroke = 0.0;
+  bool changes_gear = false;
+  for (const Segment& segment : segments) {
+    if (segment.length * stroke < 0.0) {
+      sum += std::max(0.0, least - std::abs(stroke));
+      stroke = 0.0;
+      changes_gear = true;
+    }
+    stroke += segment.length;
+  }
+  return changes_gear ? sum + std::max(0.0, least - std::abs(stroke)) : 0.0;
+}
 
 search::CostRule rule_of(const Task& task, const CostOptions& cost, double time_price) {
   if (cost.measure == CostMeasure::time) {
@@ -19,32 +39,66 @@ search::CostRule rule_of(const Task& task, const CostOptions& cost, double time_
 
 }  // namespace
 
-Pricing::Pricing(const Task& task, const CostOptions& cost, double time_price)
+double price_of_lack(std::span<const Segment> segments, double least) {
+  return price_of_metre * missing(segments, least);
+}
+
+Pricing::Pricing(const Task& task, const CostOptions& cost, double time_price, double min_stroke)
     : task_(task),
       prices_(search::cost_rule(cost)),
       rule_(rule_of(task, cost, time_price)),
       is_time_(cost.measure == CostMeasure::time),
-      time_price_(time_price) {}
+      time_price_(time_price),
+      min_stroke_(min_stroke) {}
+
+double Pricing::near_cost(std::span<const Segment> segments,
+                          search::ClearanceSampling sampling) const {
+  if (is_time_ || prices_.clearance_weight == 0.0) return 0.0;
+  return search::clearance_cost(task_, prices_, task_.start, segments, sampling);
+}
+
+double Pricing::path_cost(std::span<const Segment> segments, double near) const {
+  if (!is_time_) return search::drive_cost(prices_, segments) + near;
+  constexpr double never = std::numeric_limits<double>::infinity();
+  return search::may_drive(prices_, segments) ? drive_time(task_, segments) : never;
+}
+
+double Pricing::path_cost(std::span<const Segment> segments,
+                          search::ClearanceSampling sampling) const {
+  return path_cost(segments, near_cost(segments, sampling));
+}
 
 double Pricing::cost(std::span<const Segment> segments, double near) const {
-  if (is_time_) {
-    constexpr double never = std::numeric_limits<double>::infinity();
-    return search::may_drive(prices_, segments) ? drive_time(task_, segments) : never;
-  }
-  search::Driven driven = prices_.initial_gear;
-  const double cost = search::drive_cost(prices_, segments, driven) + near;
-  return time_price_ == 0.0 ? cost : cost + time_price_ * drive_time(task_, segments);
+  const double of_path = path_cost(segments, near);
+  if (is_time_ || time_price_ == 0.0) return of_path;
+  return timed_cost(of_path, drive_time(task_, segments));
 }
 
 double Pricing::cost(std::span<const Segment> segments, search::ClearanceSampling sampling) const {
-  if (is_time_ || prices_.clearance_weight == 0.0) return cost(segments, 0.0);
-  return cost(segments, search::clearance_cost(task_, prices_, task_.start, segments, sampling));
+  return cost(segments, near_cost(segments, sampling));
+}
+
+double Pricing::cost(const search::Route& route) const {
+  double near = 0.0;
+  for (const search::Leg& leg : route.legs) near += leg.clearance_cost;
+  return cost(path_of(route).segments, near);
+}
+
+std::function<double(std::span<const Segment>)> Pricing::measure() const {
+  if (!counts_time() && min_stroke_ == 0.0) return {};
+  return [this](std::span<const Segment> segments) {
+    return price(segments, search::ClearanceSampling::search);
+  };
 }
 
 double Pricing::cost_lower_bound(double length, double priced) const {
   if (!counts_time()) return priced;
   const double time = drive_time_lower_bound(task_.vehicle, prices_, length);
   return is_time_ ? time : priced + time_price_ * time;
+}
+
+Pricing pricing_of(const Task& task, const PlanOptions& options, double time_price) {
+  return {task, options.cost, time_price, options.planner.number("min_stroke")};
 }
 
 }  // namespace vandplan::planning

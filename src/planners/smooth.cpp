@@ -12,7 +12,6 @@
 #include "planners/anytime/chain.h"
 #include "planners/anytime/shorten.h"
 #include "planners/anytime/tidy.h"
-#include "planners/commands/short_strokes.h"
 #include "planners/commands/shorten_drive.h"
 #include "planners/commands/wheels.h"
 #include "planners/pricing.h"
@@ -27,37 +26,13 @@ namespace vandplan {
 namespace {
 
 using namespace search;
-using commands::DriveShortener, commands::price_of_lack;
+using commands::DriveShortener;
+using planning::Pricing, planning::pricing_of;
 
 constexpr std::array<std::string_view, 2> method_names = {"clothoids", "optimised"};
 constexpr std::int64_t max_repairs = 20'000;
 constexpr std::int64_t settling = 1000;  // trials that take out what repairs made longer
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// What the caller wants of the path: its prices, and a least length of strokes.
-class Wishes {
- public:
-  Wishes(const Task& task, const PlanOptions& options)
-      : pricing_(task, options.cost), min_stroke_(options.planner.number("min_stroke")) {}
-
-  [[nodiscard]] const CostRule& rule() const { return pricing_.rule(); }
-  /// Whether the cost of a path is no sum over its segments.
-  [[nodiscard]] bool are_of_whole_path() const { return pricing_.is_time() || min_stroke_ > 0.0; }
-  [[nodiscard]] double cost(std::span<const Segment> segments, ClearanceSampling sampling) const {
-    return pricing_.cost(segments, sampling);
-  }
-  /// Cost of a path, with a price for strokes that are too short.
-  [[nodiscard]] double price(std::span<const Segment> segments, ClearanceSampling sampling) const {
-    return cost(segments, sampling) + lack(segments);
-  }
-  [[nodiscard]] double lack(std::span<const Segment> segments) const {
-    return min_stroke_ > 0.0 ? price_of_lack(segments, min_stroke_) : 0.0;
-  }
-
- private:
-  planning::Pricing pricing_;
-  double min_stroke_;  // least stroke [m]
-};
 
 /// One run of the smoother.
 class Smoother {
@@ -65,7 +40,7 @@ class Smoother {
   Smoother(const Task& task, const PlanOptions& options, const Path& path)
       : task_(task),
         seed_(options.budget.seed),
-        wishes_(task, options),
+        pricing_(pricing_of(task, options)),
         budget_(options.budget),
         old_{task.start, path.segments} {}
 
@@ -80,7 +55,7 @@ class Smoother {
 
   const Task& task_;
   std::uint64_t seed_;
-  Wishes wishes_;
+  Pricing pricing_;
   Budget budget_;
   Path old_;
   std::optional<DriveShortener> drive_;  // drive along the old path
@@ -110,7 +85,7 @@ bool Smoother::is_drivable(Connector& connector) const {
 /// Makes segments the answer so far. Because of longer strokes it may cost more than one before.
 void Smoother::take(std::vector<Segment> segments, double price) {
   least_ = price;
-  const double cost = price - wishes_.lack(segments);
+  const double cost = price - pricing_.lack(segments);
   std::erase_if(answer_.anytime, [&](const CostSample& sample) { return sample.cost <= cost; });
   answer_.anytime.push_back({budget_.elapsed(), budget_.iterations(), cost});
   answer_.segments = std::move(segments);
@@ -132,13 +107,7 @@ std::optional<Route> Smoother::chained(Connector& connector) {
 void Smoother::bend() {
   const auto commands = commands::commands_along(task_, old_.segments);
   if (!commands) return;
-  DriveShortener::Measure measure;
-  if (wishes_.are_of_whole_path()) {
-    measure = [this](std::span<const Segment> segments) {
-      return wishes_.price(segments, ClearanceSampling::search);
-    };
-  }
-  drive_.emplace(task_, wishes_.rule(), *commands, stream_seed(seed_, 2), std::move(measure));
+  drive_.emplace(task_, pricing_.rule(), *commands, stream_seed(seed_, 2), pricing_.measure());
 }
 
 /// [5] Shortens the route and bends the old path, in turns.
@@ -168,19 +137,18 @@ PlannerAnswer Smoother::run(SmoothMethod method) {
   std::optional<anytime::Shortener> shortener;
   bool is_drivable = false;
   if (!task_.vehicle.trailer) {
-    connector.emplace(task_, wishes_.rule());
+    connector.emplace(task_, pricing_.rule());
     is_drivable = this->is_drivable(*connector);
-    if (is_drivable)
-      take(old_.segments, wishes_.price(old_.segments, ClearanceSampling::search));  // [1]
+    if (is_drivable) {  // [1]
+      take(old_.segments, pricing_.price(old_.segments, ClearanceSampling::search));
+    }
   }
   if (is_drivable && !is_optimised) return std::move(answer_);
   if (connector) {
     std::optional<Route> route = chained(*connector);
     std::function<double(const Route&)> measure;
-    if (wishes_.are_of_whole_path()) {
-      measure = [this](const Route& r) {
-        return wishes_.price(path_of(r).segments, ClearanceSampling::search);
-      };
+    if (const auto of_drive = pricing_.measure()) {
+      measure = [of_drive](const Route& r) { return of_drive(path_of(r).segments); };
     }
     if (route) {
       shortener.emplace(*connector, *std::move(route), stream_seed(seed_, 1), anytime::Scope::all,
@@ -290,9 +258,9 @@ Smoothed smooth(const Problem& of_set, const Path& path, SmoothMethod method,
       problem, path,
       {.clearance = clearance, .steering = steering, .gears = smoothed.options.cost.gears});
   const Task task = task_of(problem, clearance, steering);
-  const Wishes wishes(task, smoothed.options);
-  smoothed.given_cost = wishes.cost(path.segments, ClearanceSampling::answer);
-  const double lack = wishes.lack(path.segments);
+  const Pricing pricing = pricing_of(task, smoothed.options);
+  smoothed.given_cost = pricing.cost(path.segments, ClearanceSampling::answer);
+  const double lack = pricing.lack(path.segments);
   // [6] The answer is never worse than the given path.
   smoothed.given_fault = given.reason;
   PlanResult& result = smoothed.result;
@@ -303,8 +271,8 @@ Smoothed smooth(const Problem& of_set, const Path& path, SmoothMethod method,
   if (!given.valid) return smoothed;
   if (result.path) {
     const double more_cost =
-        wishes.cost(result.path->segments, ClearanceSampling::answer) - smoothed.given_cost;
-    const double more_lack = wishes.lack(result.path->segments) - lack;
+        pricing.cost(result.path->segments, ClearanceSampling::answer) - smoothed.given_cost;
+    const double more_lack = pricing.lack(result.path->segments) - lack;
     if (more_cost <= 0.0 && more_lack <= 0.0 && more_cost + more_lack < 0.0) return smoothed;
   }
   smoothed.is_given = true;

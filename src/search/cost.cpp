@@ -272,6 +272,11 @@ double drive_cost(const CostRule& rule, std::span<const Segment> segments, Drive
   return sum;
 }
 
+double drive_cost(const CostRule& rule, std::span<const Segment> segments) {
+  Driven driven = rule.initial_gear;
+  return drive_cost(rule, segments, driven);
+}
+
 double clearance_cost(const Task& task, const CostRule& rule, const LocalPose& from,
                       std::span<const Segment> segments, ClearanceSampling sampling,
                       double cutoff) {

@@ -60,10 +60,7 @@ auto crumbs(std::span<const Segment> segments) {
   });
 }
 
-double price_of(std::span<const Segment> segments) {
-  Driven driven = priced.initial_gear;
-  return drive_cost(priced, segments, driven);
-}
+double price_of(std::span<const Segment> segments) { return drive_cost(priced, segments); }
 
 std::vector<Command> random_commands(int count, Rng& rng) {
   std::vector<Command> commands;

@@ -22,14 +22,12 @@ namespace {
 
 using search::Connector;
 using search::CostRule;
-using search::Driven;
 
 constexpr double k = 1.0 / 7;
 constexpr CostRule dear_gears{.reverse_weight = 2, .gear_change_cost = 5};
 
 double cost_of(const CostRule& rule, std::span<const Segment> segments) {
-  Driven driven = rule.initial_gear;
-  return drive_cost(rule, segments, driven);
+  return drive_cost(rule, segments);
 }
 
 std::vector<Segment> tidied(const Problem& problem, const Path& path, double min_stroke,

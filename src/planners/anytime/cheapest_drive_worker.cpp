@@ -2,22 +2,13 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "planners/anytime/cheapest_drive_worker.h"
 
-#include <span>
 #include <utility>
 
 namespace vandplan::anytime {
 namespace {
 
 CheapestDrive::Measure cost_of_route(const planning::Pricing& pricing) {
-  return [&pricing](const Route& route) {
-    double clearance_cost = 0.0;
-    for (const Leg& leg : route.legs) clearance_cost += leg.clearance_cost;
-    return pricing.cost(path_of(route).segments, clearance_cost);
-  };
-}
-
-Bender::Measure cost_of_drive(const planning::Pricing& pricing) {
-  return [&pricing](std::span<const Segment> segments) { return pricing.cost(segments, 0.0); };
+  return [&pricing](const Route& route) { return pricing.cost(route); };
 }
 
 }  // namespace
@@ -25,7 +16,7 @@ Bender::Measure cost_of_drive(const planning::Pricing& pricing) {
 CheapestDriveWorker::CheapestDriveWorker(const Task& task, const planning::Pricing& pricing,
                                          bool bends, std::uint64_t seed)
     : cheapest_(task, pricing.rule(), seed, cost_of_route(pricing),
-                bends ? cost_of_drive(pricing) : Bender::Measure{}) {}
+                bends ? pricing.measure() : Bender::Measure{}) {}
 
 // [8b] Makes the cheapest route cheaper, judged by the whole drive.
 Found CheapestDriveWorker::work(std::int64_t iterations, const Told& told, const Budget& budget) {

@@ -365,7 +365,8 @@ Portfolio Composer::portfolio() && {
 /// The portfolio of a rig: its workers find drives, not routes.
 Portfolio portfolio_of_rig(const Task& task, const PlanOptions& options, double time_price,
                            const Given& given) {
-  auto pricing = std::make_unique<planning::Pricing>(task, options.cost, time_price);
+  auto pricing =
+      std::make_unique<planning::Pricing>(planning::pricing_of(task, options, time_price));
   const CostBound bound(task, *pricing);
   const Finisher finisher(task, *pricing,
                           {.stroke = options.planner.number("min_stroke"), .is_finished = true});

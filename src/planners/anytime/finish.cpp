@@ -9,7 +9,6 @@
 #include "planners/anytime/shorten.h"
 #include "planners/anytime/strokes.h"
 #include "planners/anytime/tidy.h"
-#include "planners/commands/short_strokes.h"
 #include "planners/commands/shorten_drive.h"
 #include "search/wheels.h"
 
@@ -48,7 +47,7 @@ std::vector<Segment> Finisher::raw(const Best& best) const {
 std::optional<Drive> Finisher::drivable(const Best& best, const std::vector<Segment>& raw) const {
   if (rules_.is_finished) {
     if (rules_.stroke == 0.0) return std::nullopt;
-    const double cost = best.drive->cost - commands::price_of_lack(raw, rules_.stroke);
+    const double cost = best.drive->cost - planning::price_of_lack(raw, rules_.stroke);
     return Drive{.commands = {}, .segments = raw, .route = {}, .cost = cost};
   }
   const bool is_bent = best.drive != nullptr && !best.drive->commands.empty();
@@ -70,7 +69,7 @@ std::optional<Drive> Finisher::drivable(const Best& best, const std::vector<Segm
   if (rules_.is_continuous && rules_.has_prices && !best.is_optimal) {
     std::vector<Segment> neat = tidied(connector, task_.start, drivable.segments, 0.0);
     const auto lack = [&](std::span<const Segment> s) {
-      return commands::price_of_lack(s, stroke);
+      return planning::price_of_lack(s, stroke);
     };
     if (lack(neat) <= lack(drivable.segments)) drivable.segments = std::move(neat);
   }

@@ -61,9 +61,7 @@ class Tidier {
 };
 
 double Tidier::cost(const Segments& segments) const {
-  Driven driven = connector_.rule().initial_gear;
-  return drive_cost(connector_.rule(), segments, driven) +
-         connector_.clearance_cost(start_, segments);
+  return drive_cost(connector_.rule(), segments) + connector_.clearance_cost(start_, segments);
 }
 
 LocalPose Tidier::pose_before(std::size_t i) const {

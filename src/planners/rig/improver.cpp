@@ -19,7 +19,7 @@ constexpr double hope = 6.0;
 Improver::Improver(const Setting& setting, Chain chain, std::uint64_t seed)
     : setting_(setting), seed_(seed), wheels_(chain.wheels) {
   drive_.emplace(setting.wheels[wheels_], setting.pricing.rule(), chain.commands,
-                 stream_seed(seed_, wheels_), setting.measure());
+                 stream_seed(seed_, wheels_), setting.pricing.measure());
   before_ = drive_->cost();
 }
 
@@ -40,7 +40,7 @@ bool Improver::soften() {
   if (!commands) return false;
   checks_ += drive_->checks();
   drive_.emplace(task, setting_.pricing.rule(), *commands, stream_seed(seed_, ++wheels_),
-                 setting_.measure());
+                 setting_.pricing.measure());
   return true;
 }
 

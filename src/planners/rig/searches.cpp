@@ -109,9 +109,7 @@ std::optional<Chain> Searches::take_found() { return std::exchange(found_, std::
 void Searches::hear(const anytime::Drive& best) {
   cutoff_ = best.cost;
   if (setting_->pricing.counts_time()) {
-    const CostRule& rule = setting_->pricing.rule();
-    search::Driven driven = rule.initial_gear;
-    cutoff_ = worth_a_trial * search::drive_cost(rule, best.segments, driven);
+    cutoff_ = worth_a_trial * search::drive_cost(setting_->pricing.rule(), best.segments);
   }
   for (Line& line : lines_) {
     if (line.search && line.has_prices_in_force) line.search->set_cutoff(cutoff_);

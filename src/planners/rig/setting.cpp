@@ -2,7 +2,6 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "planners/rig/setting.h"
 
-#include "planners/commands/short_strokes.h"
 #include "planners/rig/room_for_margin.h"
 #include "planners/rig/softer_wheels.h"
 #include "planners/rig/towed.h"
@@ -29,15 +28,6 @@ Setting::Setting(const Task& of, const PlanOptions& with, const planning::Pricin
       bare(without_margin(of, with.clearance.margin)),
       towed(towed_task(of)),
       guides(of),
-      unit(search_unit(of.vehicle)),
-      min_stroke(with.planner.number("min_stroke")) {}
-
-commands::DriveShortener::Measure Setting::measure() const {
-  if (!pricing.counts_time() && min_stroke == 0.0) return {};
-  return [this](std::span<const Segment> segments) {
-    return pricing.cost(segments, search::ClearanceSampling::search) +
-           commands::price_of_lack(segments, min_stroke);
-  };
-}
+      unit(search_unit(of.vehicle)) {}
 
 }  // namespace vandplan::rig

@@ -21,10 +21,6 @@ struct Setting {
   /// Task and pricing outlive the setting.
   Setting(const Task& of, const PlanOptions& with, const planning::Pricing& prices);
 
-  /// Measure by which drives are compared; none where the cost is a sum over segments. A metre that
-  /// strokes are too short costs more than any detour.
-  [[nodiscard]] commands::DriveShortener::Measure measure() const;
-
   const Task& task;
   PlanOptions options;
   const planning::Pricing& pricing;
@@ -35,8 +31,7 @@ struct Setting {
   std::optional<Task> bare;  ///< task without its margin; none without a margin
   Task towed;                ///< task of the trailer alone
   Guides guides;
-  double unit;        ///< unit of the steps of a search [m]
-  double min_stroke;  ///< least stroke that is asked for [m]
+  double unit;  ///< unit of the steps of a search [m]
 };
 
 /// A chain of commands from the start to the goal.
