@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the Vändplan authors
 // Tidying: fewer and longer segments, the same end, free, at next to no cost.
 #include "planners/anytime/tidy.h"
+#include "planners/anytime/strokes.h"
 
 #include <gtest/gtest.h>
 
@@ -30,11 +31,17 @@ double cost_of(const CostRule& rule, std::span<const Segment> segments) {
   return drive_cost(rule, segments);
 }
 
-std::vector<Segment> tidied(const Problem& problem, const Path& path, double min_stroke,
+std::vector<Segment> tidied(const Problem& problem, const Path& path,
                             Steering steering = Steering::reeds_shepp) {
   const Task task = task_of(problem, {}, steering);
   Connector connector(task, dear_gears);
-  return anytime::tidied(connector, Local(path.start), path.segments, min_stroke);
+  return anytime::tidied(connector, Local(path.start), path.segments);
+}
+
+std::vector<Segment> with_strokes(const Problem& problem, const Path& path, double least) {
+  Connector connector(problem.task(), dear_gears);
+  const search::Route legs = anytime::legs_along(path, problem.task().goal);
+  return path_of(anytime::with_strokes(connector, {}, legs, least)).segments;
 }
 
 double shortest(const std::vector<Segment>& segments) {
@@ -58,7 +65,7 @@ std::vector<double> strokes(std::span<const Segment> segments) {
 void expect_no_crumbs(const std::vector<Segment>& crumbly, Steering steering) {
   const Path path{{}, crumbly};
   const Problem problem = problem_of_path({.bounds = wide_bounds}, path);
-  const std::vector<Segment> tidy = tidied(problem, path, 0, steering);
+  const std::vector<Segment> tidy = tidied(problem, path, steering);
   EXPECT_LT(tidy.size(), crumbly.size());
   EXPECT_GT(shortest(tidy), 0.1);
   EXPECT_LE(cost_of(dear_gears, tidy), cost_of(dear_gears, crumbly) * (1 + 1e-4));
@@ -107,7 +114,7 @@ TEST(Tidied, LeavesTurnsOfTheWheelsByNothingOut) {
 TEST(Tidied, LeavesAContinuousCurvatureContinuous) {
   const Path path{{}, {{0, 10}, {0, 0.02, 0.1}, {0.002, 9}, {0.002, 0.02, -0.1}, {0, 10}}};
   const Problem problem = problem_of_path({.bounds = wide_bounds}, path);
-  EXPECT_EQ(tidied(problem, path, 0, Steering::continuous), path.segments);
+  EXPECT_EQ(tidied(problem, path, Steering::continuous), path.segments);
 }
 
 // Without the short stroke the wheels would have to turn at once while the vehicle rolls; its
@@ -118,13 +125,15 @@ TEST(Tidied, KeepsAStrokeAtWhichTheWheelsTurn) {
   const Problem problem = problem_of_path({.bounds = wide_bounds}, path);
   const Steering steering = Steering::continuous_between_stops;
   ASSERT_TRUE(check_path(problem, path, {.steering = steering}).valid);
-  const std::vector<Segment> tidy = tidied(problem, path, 0, steering);
+  const std::vector<Segment> tidy = tidied(problem, path, steering);
   EXPECT_TRUE(check_path(problem, {{}, tidy}, {.steering = steering}).valid) << as_code(tidy);
 }
 
 TEST(Tidied, LeavesATidyPathAlone) {
   const Path path{{}, {{k, 8}, {0, 12}, {-k, 6}, {-k, -4}, {0, -9}}};
-  EXPECT_EQ(tidied(problem_of_path({.bounds = wide_bounds}, path), path, 0.5), path.segments);
+  const Problem problem = problem_of_path({.bounds = wide_bounds}, path);
+  EXPECT_EQ(tidied(problem, path), path.segments);
+  EXPECT_EQ(with_strokes(problem, path, 0.5), path.segments);
 }
 
 // What is longer than a crumb, or worth its price, stays.
@@ -137,7 +146,7 @@ TEST(Tidied, CostsNextToNothing) {
       path.segments.push_back({curvature, rng() % 4 == 0 ? -size : size});
     }
     const Problem problem = problem_of_path({.bounds = wide_bounds}, path);
-    const std::vector<Segment> tidy = tidied(problem, path, 0);
+    const std::vector<Segment> tidy = tidied(problem, path);
     EXPECT_LE(tidy.size(), path.segments.size());
     EXPECT_LE(cost_of(dear_gears, tidy), cost_of(dear_gears, path.segments) * (1 + 1e-4) + 1e-12);
     const PathCheck check = check_path(problem, {{}, tidy});
@@ -154,7 +163,7 @@ TEST(Tidied, StaysFree) {
     const Problem problem =
         problem_of_path({.bounds = wide_bounds, .obstacles = {box(-5, near - 1, 40, near)}}, path);
     if (!check_path(problem, path).valid) return;
-    const std::vector<Segment> tidy = tidied(problem, path, 0);
+    const std::vector<Segment> tidy = tidied(problem, path);
     EXPECT_TRUE(check_path(problem, {{}, tidy}).valid) << as_code(tidy);
   });
 }
@@ -170,14 +179,14 @@ TEST(MinStroke, IsDrivenWhereThereIsRoom) {
       }
     }
     const Problem problem = problem_of_path({.bounds = wide_bounds}, path);
-    const std::vector<Segment> tidy = tidied(problem, path, 2.0);
-    const std::vector<double> driven = strokes(tidy);
+    const std::vector<Segment> longer = with_strokes(problem, path, 2.0);
+    const std::vector<double> driven = strokes(longer);
     for (const double stroke : driven) {
       EXPECT_TRUE(driven.size() == 1 || stroke >= 2 - 1e-9)
-          << stroke << " " << as_code(path.segments) << " becomes " << as_code(tidy);
+          << stroke << " " << as_code(path.segments) << " becomes " << as_code(longer);
     }
-    const PathCheck check = check_path(problem, {{}, tidy});
-    EXPECT_TRUE(check.valid) << check.reason << " " << as_code(tidy);
+    const PathCheck check = check_path(problem, {{}, longer});
+    EXPECT_TRUE(check.valid) << check.reason << " " << as_code(longer);
   });
 }
 
@@ -187,9 +196,9 @@ TEST(MinStroke, StaysShortBetweenWalls) {
   const Problem problem = problem_of_path(
       {.bounds = wide_bounds, .obstacles = {box(6.7, -5, 7, 5), box(-2.7, -5, -2.5, 5)}}, path);
   ASSERT_TRUE(check_path(problem, path).valid) << check_path(problem, path).reason;
-  const std::vector<Segment> tidy = tidied(problem, path, 3.0);
-  EXPECT_TRUE(check_path(problem, {{}, tidy}).valid);
-  for (const double stroke : strokes(tidy)) EXPECT_LT(stroke, 1.0);
+  const std::vector<Segment> driven = with_strokes(problem, path, 3.0);
+  EXPECT_TRUE(check_path(problem, {{}, driven}).valid);
+  for (const double stroke : strokes(driven)) EXPECT_LT(stroke, 1.0);
 }
 
 Problem road_to_turn_on() {

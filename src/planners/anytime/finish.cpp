@@ -56,18 +56,16 @@ std::optional<Drive> Finisher::drivable(const Best& best, const std::vector<Segm
   if (stroke == 0.0 && !is_bent && !rules_.has_prices) return std::nullopt;
   Connector connector(task_, rule);
   Drive drivable{.commands = {}, .segments = raw, .route = {}, .cost = 0.0};
-  if (!rules_.is_continuous) {
-    drivable.segments = tidied(connector, task_.start, raw, stroke);
-  } else if (stroke > 0.0) {
+  if (stroke > 0.0) {
     const Route& route =
         best.drive != nullptr && best.drive->route ? *best.drive->route : *best.route;
-    const Route legs = is_bent ? legs_along({task_.start, raw}, task_.goal) : route;
-    drivable.segments =
-        path_of(with_strokes(connector, driven_at_ends(task_, rule.initial_gear), legs, stroke))
-            .segments;
+    const bool is_along = path_of(route).segments == raw;
+    const Route legs = is_along ? route : legs_along({task_.start, raw}, task_.goal);
+    const DrivenBeside beside = driven_at_ends(task_, rule.initial_gear);
+    drivable.segments = path_of(with_strokes(connector, beside, legs, stroke)).segments;
   }
-  if (rules_.is_continuous && rules_.has_prices && !best.is_optimal) {
-    std::vector<Segment> neat = tidied(connector, task_.start, drivable.segments, 0.0);
+  if (!rules_.is_continuous || (rules_.has_prices && !best.is_optimal)) {
+    std::vector<Segment> neat = tidied(connector, task_.start, drivable.segments);
     const auto lack = [&](std::span<const Segment> s) {
       return planning::price_of_lack(s, stroke);
     };

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "search/wheels.h"
+
 namespace vandplan::anytime {
 namespace {
 
@@ -19,7 +21,9 @@ using search::Connector, search::gear_of, search::DrivenBeside, search::Leg, sea
 constexpr double shares[] = {1.0, 2.0, 4.0, 8.0, 0.5};
 /// Least reduction of what all strokes lack, as a share of what the stroke lacks.
 constexpr double worth_it = 0.25;
-constexpr std::size_t legs_beside = 2;  // legs on either side that are steered anew at most
+constexpr double rounding = 1e-7;           // a stroke that lacks less is long enough [m]
+constexpr std::size_t tries_of_stroke = 4;  // most changes, for each stroke of the given route
+constexpr std::size_t legs_beside = 2;      // legs on either side that are steered anew at most
 constexpr std::size_t segments_of_short_leg = 3;
 
 /// Legs of one gear: [first, last).
@@ -71,12 +75,18 @@ std::vector<LegStroke> strokes_of(const Route& route) {
   return result;
 }
 
+/// By how much the stroke is shorter than `least` [m].
+double lack_of(const LegStroke& stroke, double least) {
+  const double lack = least - stroke.length;
+  return lack > rounding ? lack : 0.0;
+}
+
 /// By how much all strokes together are shorter than `least` [m].
 double missing(const Route& route, double least) {
   const std::vector<LegStroke> strokes = strokes_of(route);
   if (strokes.size() < 2) return 0.0;
   double sum = 0.0;
-  for (const LegStroke& stroke : strokes) sum += std::max(0.0, least - stroke.length);
+  for (const LegStroke& stroke : strokes) sum += lack_of(stroke, least);
   return sum;
 }
 
@@ -90,9 +100,6 @@ class Lengthener {
  private:
   void try_without(const LegStroke& stroke);
   void try_later(std::size_t cusp, double by);
-  [[nodiscard]] bool is_near(double a, double b) const {
-    return std::abs(a - b) * connector_.radius() < search::straight_wheels;
-  }
   void consider(std::size_t first, std::size_t last, const std::vector<Leg>& legs);
 
   Connector& connector_;
@@ -135,7 +142,8 @@ void Lengthener::try_without(const LegStroke& stroke) {
 }
 
 // Tries to change gear `by` metres later than before leg `cusp`, with the curvature of either side
-// or straight ahead. If both sides have this curvature, driving back the same way is tried, too.
+// or straight ahead. If the wheels may be so on both sides, driving back the same way is tried,
+// too.
 void Lengthener::try_later(std::size_t cusp, double by) {
   const Leg& before = route_.legs[cusp - 1];
   const Leg& after = route_.legs[cusp];
@@ -144,9 +152,11 @@ void Lengthener::try_later(std::size_t cusp, double by) {
   for (const double curvature : {curvature_before, curvature_after, 0.0}) {
     const Segment on{curvature, by * gear_of(before)};
     const LocalPose via = advance(before.end, on);
-    if (is_near(curvature, curvature_before) && is_near(curvature, curvature_after)) {
-      const Piece there = piece_of({&on, 1});
-      consider(cusp, cusp, {{there, via}, {reversed(there), before.end}});
+    const Segment back{curvature, -on.length};
+    const bool goes_on = may_follow(connector_, search::last_driven(before.piece), on) &&
+                         may_follow(connector_, search::last_driven(back), after.piece.view()[0]);
+    if (goes_on) {
+      consider(cusp, cusp, {{piece_of({&on, 1}), via}, {piece_of({&back, 1}), before.end}});
     }
     for (std::size_t ahead = 1; ahead <= std::min(legs_beside, cusp); ++ahead) {
       for (std::size_t behind = 1; behind <= std::min(legs_beside, route_.legs.size() - cusp);
@@ -158,25 +168,25 @@ void Lengthener::try_later(std::size_t cusp, double by) {
             connector_.steer(route_.begin_of(first), via, {beside.before, gear_of(after)});
         if (!there || there->count == 0) continue;
         const LocalPose& to = route_.legs[last - 1].end;
-        const std::optional<Piece> back =
+        const std::optional<Piece> onward =
             connector_.steer(via, to, {search::last_driven(*there), beside.after});
-        if (back && back->count > 0) consider(first, last, {{*there, via}, {*back, to}});
+        if (onward && onward->count > 0) consider(first, last, {{*there, via}, {*onward, to}});
       }
     }
   }
 }
 
-// Makes short strokes longer. A longer stroke may make another one shorter, so tries are limited to
-// the number of ends of strokes.
+// Makes short strokes longer. A longer stroke may make another one shorter, so tries are limited.
 Route Lengthener::lengthened() {
   bool changed = true;
-  for (std::size_t tries = 2 * strokes_of(route_).size(); changed && tries > 0; --tries) {
+  for (std::size_t tries = tries_of_stroke * strokes_of(route_).size(); changed && tries > 0;
+       --tries) {
     const std::vector<LegStroke> strokes = strokes_of(route_);
     changed = false;
     for (std::size_t k = 0; k < strokes.size() && strokes.size() > 1 && !changed; ++k) {
       const LegStroke& stroke = strokes[k];
-      const double lack = least_ - stroke.length;
-      if (lack <= 0.0) continue;
+      const double lack = lack_of(stroke, least_);
+      if (lack == 0.0) continue;
       best_.reset();
       wanted_ = missing(route_, least_) - worth_it * lack;
       try_without(stroke);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How do strokes with continuous curvature become worth a gear change?
+// How do strokes become worth a gear change?
 
 #include "search/route.h"
 #include "vandplan/search.h"
 
 namespace vandplan::anytime {
 
-/// A route with continuous curvature whose strokes before and after gear changes have at least
-/// `least` [m], where there is room. A shorter stroke is left out, or the gear changes later and
+/// A route whose strokes before and after gear changes have at least `least` [m], where there is
+/// room. A shorter stroke is left out, or the gear changes later and
 /// another way leads back: the cheapest free choice. `beside`: what is driven before and after the
 /// route. The result is priced.
 [[nodiscard]] search::Route with_strokes(search::Connector& connector,

@@ -23,13 +23,6 @@ constexpr std::size_t reach_of_clothoids = 7;  // wider reach where clothoids li
 
 using Segments = std::vector<Segment>;
 
-/// Segments of one gear: [first, last).
-struct Stroke {
-  std::size_t first;
-  std::size_t last;
-  double length;
-};
-
 class Tidier {
  public:
   Tidier(Connector& connector, const LocalPose& start, Segments segments)
@@ -40,7 +33,6 @@ class Tidier {
         crumb_(commands::crumb_length(connector.radius())) {}
 
   void drop_crumbs();
-  void lengthen_strokes(double least);
   [[nodiscard]] const Segments& segments() const { return segments_; }
 
  private:
@@ -49,9 +41,6 @@ class Tidier {
   [[nodiscard]] bool is_free(LocalPose from, std::span<const Segment> segments);
   [[nodiscard]] bool drop(std::size_t first, std::size_t last, double limit);
   [[nodiscard]] std::size_t end_of_crumbs(std::size_t first) const;
-  [[nodiscard]] std::vector<Stroke> strokes() const;
-  [[nodiscard]] std::optional<Segments> driven_on(std::size_t cusp, double by);
-  [[nodiscard]] bool lengthen(const std::vector<Stroke>& all, std::size_t k, double least);
 
   Connector& connector_;
   LocalPose start_;
@@ -147,69 +136,6 @@ void Tidier::drop_crumbs() {
   }
 }
 
-std::vector<Stroke> Tidier::strokes() const {
-  std::vector<Stroke> result;
-  for (std::size_t i = 0; i < segments_.size(); ++i) {
-    if (result.empty() || gear_of(segments_[i]) != gear_of(segments_[i - 1])) {
-      result.push_back({i, i, 0.0});
-    }
-    result.back().last = i + 1;
-    result.back().length += std::abs(segments_[i].length);
-  }
-  return result;
-}
-
-// The path with a gear change `by` metres later than before segment `cusp`, and the same way back.
-// The way there has the curvature of either side or is straight, whichever is cheapest.
-std::optional<Segments> Tidier::driven_on(std::size_t cusp, double by) {
-  const Segment& before = segments_[cusp - 1];
-  const LocalPose pose = pose_before(cusp);
-  std::optional<Segments> best;
-  for (const double curvature : {before.curvature, segments_[cusp].curvature, 0.0}) {
-    const Segment on{curvature, std::copysign(by, before.length)};
-    Segments trial = segments_;
-    const Segment way[] = {on, {curvature, -on.length}};
-    base::splice(trial, cusp, cusp, way);
-    trial = merged(trial);
-    if (best && cost(trial) >= cost(*best)) continue;
-    if (connector_.is_free(pose, on)) best = std::move(trial);
-  }
-  return best;
-}
-
-// Leaves stroke `k` out or makes it longer. True when something changed.
-bool Tidier::lengthen(const std::vector<Stroke>& all, std::size_t k, double least) {
-  const Stroke& stroke = all[k];
-  const double by = std::max(least - stroke.length, crumb_);
-  if (drop(stroke.first, stroke.last, cost(segments_) + 2 * by)) return true;
-  std::optional<Segments> best;
-  const auto consider = [&](std::size_t cusp, double share) {
-    std::optional<Segments> trial = driven_on(cusp, share * by);
-    if (trial && (!best || cost(*trial) < cost(*best))) best = std::move(trial);
-  };
-  for (const double share : {1.0, 0.5}) {
-    if (best || share * by < crumb_) continue;
-    if (k > 0) consider(stroke.first, share);
-    if (k + 1 < all.size()) consider(stroke.last, share);
-  }
-  if (!best) return false;
-  segments_ = *std::move(best);
-  return true;
-}
-
-// Makes short strokes longer. A longer stroke may make another one shorter, so tries are limited to
-// the number of ends of strokes.
-void Tidier::lengthen_strokes(double least) {
-  bool changed = true;
-  for (std::size_t tries = 2 * strokes().size(); changed && tries > 0; --tries) {
-    const std::vector<Stroke> all = strokes();
-    changed = false;
-    for (std::size_t k = 0; k < all.size() && all.size() > 1 && !changed; ++k) {
-      changed = all[k].length < least && lengthen(all, k, least);
-    }
-  }
-}
-
 }  // namespace
 
 OptionInfo min_stroke_option() {
@@ -221,10 +147,9 @@ OptionInfo min_stroke_option() {
 }
 
 std::vector<Segment> tidied(Connector& connector, const LocalPose& start,
-                            std::vector<Segment> segments, double min_stroke) {
+                            std::vector<Segment> segments) {
   Tidier tidier(connector, start, std::move(segments));
   tidier.drop_crumbs();
-  if (min_stroke > 0.0) tidier.lengthen_strokes(min_stroke);
   return tidier.segments();
 }
 
