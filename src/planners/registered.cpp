@@ -6,7 +6,7 @@
 
 #include "path/finite.h"
 #include "planners/anytime/anytime.h"
-#include "planners/anytime/tidy.h"
+#include "planners/anytime/finish.h"
 #include "planners/in_time.h"
 #include "planners/plan_to_set.h"
 #include "planners/shared_options.h"

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "planners/anytime/chain.h"
+#include "planners/anytime/finish.h"
 #include "planners/anytime/shorten.h"
-#include "planners/anytime/tidy.h"
 #include "planners/commands/shorten_drive.h"
 #include "planners/commands/wheels.h"
 #include "planners/pricing.h"

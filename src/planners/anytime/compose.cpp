@@ -149,10 +149,8 @@ Composer::Composer(const Task& task, const PlanOptions& options, double time_pri
 
 FinishRules Composer::finish_rules() const {
   const double min_stroke = options_.planner.number("min_stroke");
-  FinishRules rules{.min_stroke = min_stroke,
-                    .stroke = min_stroke,
-                    .is_continuous = is_continuous(),
-                    .has_prices = !rule_.is_length()};
+  FinishRules rules{
+      .min_stroke = min_stroke, .stroke = min_stroke, .is_continuous = is_continuous()};
   if (!pricing_->counts_time()) return rules;
   if (!pricing_->is_time()) rules.stroke = std::max(min_stroke, shortest_stroke);
   if (min_stroke == 0.0) rules.slack = pricing_->is_time() ? slack_of_time : slack_of_both;

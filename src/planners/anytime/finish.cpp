@@ -3,25 +3,163 @@
 #include "planners/anytime/finish.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 
+#include "base/splice.h"
 #include "planners/anytime/shorten.h"
 #include "planners/anytime/strokes.h"
-#include "planners/anytime/tidy.h"
 #include "planners/commands/shorten_drive.h"
+#include "planners/commands/wheels.h"
 #include "search/wheels.h"
+#include "steering/words.h"
 
 namespace vandplan::anytime {
 namespace {
 
 constexpr int trials_for_fewer_changes = 1000;  // trials of `with_fewer_changes`
+/// Most relative cost of leaving out crumbs: 1 cm of 100 m, less than any search leaves.
+constexpr double tidy_slack = 1e-4;
+constexpr std::size_t reach_of_arcs = 3;  // segments on either side that make up for one left out
+constexpr std::size_t reach_of_clothoids = 7;  // wider reach where clothoids lie between
+
+using Segments = std::vector<Segment>;
+
+class Tidier {
+ public:
+  Tidier(Connector& connector, const LocalPose& start, Segments segments)
+      : connector_(connector),
+        start_(start),
+        segments_(merged(segments)),
+        is_continuous_(connector.continuous() != nullptr),
+        crumb_(commands::crumb_length(connector.radius())) {}
+
+  void drop_crumbs();
+  [[nodiscard]] const Segments& segments() const { return segments_; }
+
+ private:
+  [[nodiscard]] double cost(const Segments& segments) const;
+  [[nodiscard]] LocalPose pose_before(std::size_t i) const;
+  [[nodiscard]] bool is_free(LocalPose from, std::span<const Segment> segments);
+  [[nodiscard]] bool drop(std::size_t first, std::size_t last, double limit);
+  [[nodiscard]] std::size_t end_of_crumbs(std::size_t first) const;
+
+  Connector& connector_;
+  LocalPose start_;
+  Segments segments_;
+  bool is_continuous_;
+  double crumb_;
+};
+
+double Tidier::cost(const Segments& segments) const {
+  return drive_cost(connector_.rule(), segments) + connector_.clearance_cost(start_, segments);
+}
+
+LocalPose Tidier::pose_before(std::size_t i) const {
+  LocalPose pose = start_;
+  for (const Segment& segment : std::span(segments_).first(i)) pose = advance(pose, segment);
+  return pose;
+}
+
+bool Tidier::is_free(LocalPose from, std::span<const Segment> segments) {
+  for (const Segment& segment : segments) {
+    if (!connector_.is_free(from, segment)) return false;
+    from = advance(from, segment);
+  }
+  return true;
+}
+
+// Leaves the segments [first, last) out if their neighbours make up for that: the poses on either
+// side stay, the path is free and costs at most `limit`.
+bool Tidier::drop(std::size_t first, std::size_t last, double limit) {
+  std::size_t low = first - std::min(first, is_continuous_ ? reach_of_clothoids : reach_of_arcs);
+  std::size_t high =
+      std::min(segments_.size(), last + (is_continuous_ ? reach_of_clothoids : reach_of_arcs));
+  while (high - last + first - low > steering::most_mended) {
+    if (first - low > high - last) {
+      ++low;
+    } else {
+      --high;
+    }
+  }
+  const std::span<const Segment> old = std::span(segments_).subspan(low, high - low);
+  Segments rest(old.begin(), old.end());
+  base::splice(rest, first - low, last - low, {});
+  const LocalPose from = pose_before(low);
+  rest = merged(rest);
+  const std::optional<Segments> mended =
+      steering::mended(from, pose_before(high), rest, steering::on_the_way);
+  if (!mended) return false;
+  // With fewer segments the curvature could jump.
+  if (is_continuous_ && mended->size() != rest.size()) return false;
+  Segments trial = segments_;
+  base::splice(trial, low, high, *mended);
+  trial = merged(trial);
+  if (trial.size() >= segments_.size() || cost(trial) > limit) return false;
+  if (!is_free(from, *mended)) return false;
+  segments_ = std::move(trial);
+  return true;
+}
+
+/// Index behind the crumbs that begin at `first` and can be left out together; `first` if there are
+/// none. Where the curvature is continuous, it must be the same before them and behind them.
+std::size_t Tidier::end_of_crumbs(std::size_t first) const {
+  constexpr double same = 1e-12;  // difference of curvatures that is rounding [1/m]
+  if (!is_continuous_) return first + 1;
+  const auto last_curvature = [](const Segment& s) { return curvature_at(s, std::abs(s.length)); };
+  const auto gear = gear_of(segments_[first]);
+  const double before =
+      first > 0 ? last_curvature(segments_[first - 1]) : segments_[first].curvature;
+  for (std::size_t i = first; i < segments_.size(); ++i) {
+    if (std::abs(segments_[i].length) >= crumb_ || gear_of(segments_[i]) != gear) break;
+    const double after =
+        i + 1 < segments_.size() ? segments_[i + 1].curvature : last_curvature(segments_[i]);
+    if (std::abs(after - before) <= same) return i + 1;
+  }
+  return first;
+}
+
+// Leaves out crumbs, the shortest first, until none can go.
+void Tidier::drop_crumbs() {
+  const double limit = (1 + tidy_slack) * cost(segments_);
+  bool dropped = true;
+  while (dropped) {
+    std::vector<std::size_t> crumbs;
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+      if (std::abs(segments_[i].length) < crumb_) crumbs.push_back(i);
+    }
+    std::stable_sort(crumbs.begin(), crumbs.end(), [&](std::size_t a, std::size_t b) {
+      return std::abs(segments_[a].length) < std::abs(segments_[b].length);
+    });
+    dropped = std::any_of(crumbs.begin(), crumbs.end(), [&](std::size_t i) {
+      const std::size_t end = end_of_crumbs(i);
+      return end > i && drop(i, end, limit);
+    });
+  }
+}
 
 }  // namespace
 
+OptionInfo min_stroke_option() {
+  return {.name = "min_stroke",
+          .summary = "least distance between gear changes, if there is room [m]",
+          .default_value = 0.0,
+          .least = 0.0,
+          .most = 100.0};
+}
+
+std::vector<Segment> tidied(Connector& connector, const LocalPose& start,
+                            std::vector<Segment> segments) {
+  Tidier tidier(connector, start, std::move(segments));
+  tidier.drop_crumbs();
+  return tidier.segments();
+}
+
 search::Route Finisher::with_fewer_changes(const search::Route& best, double shortest,
                                            std::uint64_t seed, search::Budget& budget) const {
-  if (rules_.has_prices || best.legs.size() < 2) return best;
+  if (has_prices() || best.legs.size() < 2) return best;
   CostRule rule = pricing_.rule();
   rule.gear_change_cost = 1e-8;  // so small that it only breaks ties [m]
   Connector connector(task_, rule);
@@ -53,7 +191,7 @@ std::optional<Drive> Finisher::drivable(const Best& best, const std::vector<Segm
   const bool is_bent = best.drive != nullptr && !best.drive->commands.empty();
   const double stroke = rules_.stroke;
   const CostRule& rule = pricing_.rule();
-  if (stroke == 0.0 && !is_bent && !rules_.has_prices) return std::nullopt;
+  if (stroke == 0.0 && !is_bent && !has_prices()) return std::nullopt;
   Connector connector(task_, rule);
   Drive drivable{.commands = {}, .segments = raw, .route = {}, .cost = 0.0};
   if (stroke > 0.0) {
@@ -64,7 +202,7 @@ std::optional<Drive> Finisher::drivable(const Best& best, const std::vector<Segm
     const DrivenBeside beside = driven_at_ends(task_, rule.initial_gear);
     drivable.segments = path_of(with_strokes(connector, beside, legs, stroke)).segments;
   }
-  if (!rules_.is_continuous || (rules_.has_prices && !best.is_optimal)) {
+  if (!rules_.is_continuous || (has_prices() && !best.is_optimal)) {
     std::vector<Segment> neat = tidied(connector, task_.start, drivable.segments);
     const auto lack = [&](std::span<const Segment> s) {
       return planning::price_of_lack(s, stroke);
@@ -72,8 +210,8 @@ std::optional<Drive> Finisher::drivable(const Best& best, const std::vector<Segm
     if (lack(neat) <= lack(drivable.segments)) drivable.segments = std::move(neat);
   }
   if (stroke == 0.0 && !is_bent && drivable.segments == raw) return std::nullopt;
-  drivable.cost =
-      pricing_.cost(drivable.segments, connector.clearance_cost(task_.start, drivable.segments));
+  drivable.cost = pricing_.cost(drivable.segments,
+                                connector.clearance_cost(start_state(task_), drivable.segments));
   return drivable;
 }
 

@@ -12,6 +12,15 @@
 
 namespace vandplan::anytime {
 
+/// Option "min_stroke": least length of strokes before and after gear changes, where there is room
+/// [m].
+[[nodiscard]] OptionInfo min_stroke_option();
+
+/// The segments of a path from `start`, without crumbs where other segments can make up for them.
+/// The path ends where it ended, is free if it was, and costs at most 1e-4 (relative) more.
+[[nodiscard]] std::vector<Segment> tidied(search::Connector& connector, const LocalPose& start,
+                                          std::vector<Segment> segments);
+
 /// Best route and best drive of a run.
 struct Best {
   const search::Route* route = nullptr;  ///< cheapest route
@@ -21,13 +30,12 @@ struct Best {
 
 /// Rules for a finished drive besides its cost.
 struct FinishRules {
-  double min_stroke = 0.0;     ///< least stroke that the options ask for [m]
-  double stroke = 0.0;         ///< least stroke that is made where there is room [m]
-  bool is_continuous = false;  ///< whether the wheels need time to turn
-  bool has_prices = false;     ///< whether more than the length counts
+  double min_stroke = 0.0;  ///< least stroke that the options ask for [m]
+  double stroke = 0.0;      ///< least stroke that is made where there is room [m]
   /// Whether the workers have finished their drives; the price of short strokes remains to be left
   /// out.
   bool is_finished = false;
+  bool is_continuous = false;  ///< whether the wheels need time to turn
   /// Largest relative excess of the finished drive's cost over the best drive's cost; none: no
   /// limit.
   std::optional<double> slack = {};
@@ -55,6 +63,9 @@ class Finisher {
   [[nodiscard]] double min_stroke() const { return rules_.min_stroke; }
 
  private:
+  /// Whether more than the length counts.
+  [[nodiscard]] bool has_prices() const { return !pricing_.rule().is_length(); }
+
   const Task& task_;
   const planning::Pricing& pricing_;
   FinishRules rules_;
