@@ -100,7 +100,7 @@ bool CheapestDrive::step() {
   if (!shortener_) return false;
   if (!benders_.empty() && ++steps_ % bending_period == 0) return bend();
   ++trials_;
-  const double excess = shortener_->route().cost / cost_ - 1;
+  const double excess = shortener_->cost() / cost_ - 1;
   if (shortener_->is_stalled() || (is_challenger_ && excess * trials_ > hopeless_challenge)) {
     if (!is_challenger_ && !challengers_.empty()) {
       challenge();
@@ -108,7 +108,7 @@ bool CheapestDrive::step() {
       begin();
     }
   }
-  if (!shortener_->step() || shortener_->route().cost >= cost_) return false;
+  if (!shortener_->step() || shortener_->cost() >= cost_) return false;
   is_challenger_ = false;
   route_ = shortener_->route();
   cost_ = route_->cost;
