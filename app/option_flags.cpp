@@ -33,8 +33,9 @@ std::string typed_text(std::string json) {
 }
 
 std::string default_of(const CommonOption& option) {
-  if (option.name == "time_limit") return fmt::format("{}", default_time_limit);
-  return typed_text(option.get(complete(default_planner())));
+  PlanOptions options = complete(default_planner());
+  options.style = default_planner().properties.style;
+  return typed_text(option.get(options));
 }
 
 /// An option as the help shows it.
@@ -42,10 +43,11 @@ struct OptionText {
   std::string name;
   std::string default_value;
   std::string summary;
+  bool operator==(const OptionText&) const = default;
 };
 
 OptionText option_text(const CommonOption& option) {
-  return {std::string(option.name), default_of(option), std::string(option.summary)};
+  return {std::string(option.name), default_of(option), option.text()};
 }
 
 OptionText option_text(const OptionInfo& info) {
@@ -53,11 +55,9 @@ OptionText option_text(const OptionInfo& info) {
           info.summary + "; " + info.range()};
 }
 
-/// Help on the option of that name: a common option, or that of the first planner that has it.
+/// Help on the option of that name: of the table, or of the first planner that has it.
 OptionText option_text(std::string_view name) {
-  for (const CommonOption& option : common_options()) {
-    if (option.name == name) return option_text(option);
-  }
+  if (const CommonOption* const option = find_common_option(name)) return option_text(*option);
   for (const Planner& planner : planners()) {
     const auto found = std::ranges::find(planner.options, name, &OptionInfo::name);
     if (found != planner.options.end()) return option_text(*found);
@@ -98,20 +98,39 @@ void add_to(std::vector<OptionText>& texts, const OptionText& text) {
   if (!is_listed) known->default_value += "|" + text.default_value;
 }
 
-/// Help on the own options of all planners of a family.
-std::string help_on_family(const std::string& family) {
-  std::vector<OptionText> texts;
+/// Planners that are built alike, with the own options of them all.
+struct Family {
+  std::string name;  ///< "prm", or "hrrt-... (3)" for several planners
+  std::vector<OptionText> options;
+
+  [[nodiscard]] bool has(const OptionText& text) const {
+    return std::ranges::find(options, text) != options.end();
+  }
+};
+
+Family family_named(const std::string& name) {
+  Family family{name, {}};
   int members = 0;
   for (const Planner& planner : planners()) {
-    if (planner.properties.family != family) continue;
+    if (planner.properties.family != name) continue;
     ++members;
-    for (const OptionInfo& info : planner.options) add_to(texts, option_text(info));
+    for (const OptionInfo& info : planner.options) add_to(family.options, option_text(info));
   }
-  const std::string who =
-      members > 1 ? fmt::format("the {} planners {}-...", members, family) : family;
-  std::string help = fmt::format("Keys of {}:\n", who);
-  for (const OptionText& text : texts) help += line_of(text);
-  return help;
+  if (members > 1) family.name = fmt::format("{}-... ({})", name, members);
+  return family;
+}
+
+/// The families of all planners, in the order of their first members.
+std::vector<Family> families() {
+  std::vector<Family> found;
+  std::vector<std::string> names;
+  for (const Planner& planner : planners()) {
+    const std::string& name = planner.properties.family;
+    if (std::ranges::find(names, name) != names.end()) continue;
+    names.push_back(name);
+    found.push_back(family_named(name));
+  }
+  return found;
 }
 
 }  // namespace
@@ -171,8 +190,10 @@ PlanOptions options_for(const Planner& planner, std::span<const Setting> wanted_
 void set_typed(PlanOptions& options, const Planner& planner,
                const std::vector<TypedOption>& typed) {
   std::vector<TypedOption> in_order = typed;
-  std::stable_partition(in_order.begin(), in_order.end(),
-                        [](const TypedOption& given) { return is_set_first(given.option); });
+  std::stable_sort(in_order.begin(), in_order.end(),
+                   [](const TypedOption& a, const TypedOption& b) {
+                     return setting_order(a.option) < setting_order(b.option);
+                   });
   for (const TypedOption& given : in_order) {
     try {
       set_option(options, planner, given.option, given.value);
@@ -183,11 +204,9 @@ void set_typed(PlanOptions& options, const Planner& planner,
 }
 
 std::string help_on_common_options() {
-  std::string help =
-      line_of({"style", "driver",
-               "driver: prices and steering as below; shortest: length only; other options "
-               "override it"});
-  for (const CommonOption& option : common_options()) help += line_of(option_text(option));
+  std::string help;
+  for (const CommonOption& option : style_and_common_options())
+    help += line_of(option_text(option));
   return help;
 }
 
@@ -198,15 +217,29 @@ std::string help_on_options_of(const Planner& planner) {
 }
 
 std::string help_on_own_options() {
-  std::string help;
-  std::vector<std::string> families;
-  for (const Planner& planner : planners()) {
-    const std::string& family = planner.properties.family;
-    if (std::ranges::find(families, family) != families.end()) continue;
-    families.push_back(family);
-    help += help_on_family(family);
+  const std::vector<Family> all = families();
+  std::vector<OptionText> told;
+  std::string shared;
+  std::string own;
+  for (const Family& family : all) {
+    std::string lines;
+    for (const OptionText& text : family.options) {
+      if (std::ranges::find(told, text) != told.end()) continue;
+      std::vector<std::string> owners;
+      for (const Family& other : all) {
+        if (other.has(text)) owners.push_back(other.name);
+      }
+      if (owners.size() == 1) {
+        lines += line_of(text);
+        continue;
+      }
+      told.push_back(text);
+      const std::string of = fmt::format(" ({})", fmt::join(owners, ", "));
+      shared += line_of({text.name, text.default_value, text.summary + of});
+    }
+    if (!lines.empty()) own += fmt::format("Keys of {} alone:\n{}", family.name, lines);
   }
-  return help;
+  return "Keys of several planners, with who has them:\n" + shared + own;
 }
 
 evaluation::Shard shard_in(const std::string& text) {

@@ -43,13 +43,13 @@ CLI::Option* add_seed(CLI::App& command, std::uint64_t& seed, const std::string&
 /// Overrides options by typed options. Throws as `options_for`.
 void set_typed(PlanOptions& options, const Planner& planner, const std::vector<TypedOption>& typed);
 
-/// Help: a line for each option that all planners have.
+/// Help: a line for each option of the table that all planners share.
 [[nodiscard]] std::string help_on_common_options();
 
 /// Help: a line for each of the planner's own options.
 [[nodiscard]] std::string help_on_options_of(const Planner& planner);
 
-/// Help: lines for the own options of all planners, family by family.
+/// Help: the own options of all planners, those of several families first, each once.
 [[nodiscard]] std::string help_on_own_options();
 
 /// The shard of a text such as "2/8". Throws InputError unless the text is I/N with I from 1 to N.

@@ -26,28 +26,19 @@ Json json_of_option(const OptionInfo& info) {
 Json json_of_planner(const Planner& planner) {
   const PlannerProperties& properties = planner.properties;
   Json json = {{"name", planner.name}, {"summary", planner.summary}};
-  json["properties"] = {{"family", properties.family},
-                        {"strategy", properties.strategy},
-                        {"estimate", properties.estimate},
-                        {"search", properties.search},
-                        {"tries_goal", properties.tries_goal},
-                        {"honours_prices", properties.honours_prices},
-                        {"honours_gears", properties.honours_gears},
-                        {"honours_trailers", properties.honours_trailers},
-                        {"honours_threads", properties.honours_threads},
-                        {"honours_target_gap", properties.honours_target_gap},
-                        {"honours_steering", properties.honours_steering},
-                        {"honours_steering_of_rigs", properties.honours_steering_of_rigs},
-                        {"honours_primitives", properties.honours_primitives},
-                        {"honours_moving", properties.honours_moving},
-                        {"honours_goal_sets", properties.honours_goal_sets},
-                        {"anytime", properties.anytime},
-                        {"deterministic", properties.deterministic},
-                        {"groups", properties.groups}};
+  json["properties"] = {
+      {"family", properties.family},         {"strategy", properties.strategy},
+      {"estimate", properties.estimate},     {"search", properties.search},
+      {"tries_goal", properties.tries_goal}, {"capabilities", names_of(properties.capabilities)},
+      {"anytime", properties.anytime},       {"deterministic", properties.deterministic},
+      {"groups", properties.groups}};
+  for (const Capability capability : all_capabilities()) {  // as version 0.2.0 had them
+    json["properties"]["honours_" + std::string(name_of(capability))] = planner.can(capability);
+  }
   json["options"] = Json::array();
   for (const OptionInfo& info : planner.options) json["options"].push_back(json_of_option(info));
   json["common_options"] = Json::array();
-  for (const CommonOption& option : common_options()) {
+  for (const CommonOption& option : style_and_common_options()) {
     if (honours(planner, option.name)) json["common_options"].push_back(option.name);
   }
   return json;
@@ -75,7 +66,7 @@ void print_one(const Planner& planner, bool as_json) {
     return;
   }
   std::string common;
-  for (const CommonOption& option : common_options()) {
+  for (const CommonOption& option : style_and_common_options()) {
     if (!honours(planner, option.name)) continue;
     common += (common.empty() ? "" : ", ") + std::string(option.name);
   }

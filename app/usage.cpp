@@ -38,8 +38,8 @@ std::string help_of(const CLI::App& command) {
 
 /// The keys that --set takes, whatever the planner.
 std::vector<std::string_view> keys_of_set() {
-  std::vector<std::string_view> keys = {"style"};
-  for (const CommonOption& option : common_options()) keys.push_back(option.name);
+  std::vector<std::string_view> keys;
+  for (const CommonOption& option : style_and_common_options()) keys.push_back(option.name);
   for (const Planner& planner : planners()) {
     for (const OptionInfo& info : planner.options) keys.emplace_back(info.name);
   }

@@ -2,7 +2,6 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "evaluation/options_json.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "vandplan/input_error.h"
@@ -29,8 +28,8 @@ void set(PlanOptions& options, const std::string& name, const nlohmann::json& va
     options.budget.processor_time = true;
     return;
   }
-  const auto common = std::ranges::find(common_options(), name, &CommonOption::name);
-  if (common == common_options().end()) {
+  const CommonOption* const common = find_common_option(name);
+  if (common == nullptr) {
     options.planner.set(name, value_of(name, value));
   } else {
     common->set(options, value.is_string() ? value.get<std::string>() : value.dump());

@@ -169,7 +169,7 @@ std::string reproduce_command(const Report& report, const RunRecord& run) {
   const bool is_ours = planner.has_value();
   PlanOptions usual = is_ours ? complete(*planner) : PlanOptions{};
   usual.budget = {};
-  const bool has_prices = is_ours && planner->properties.honours_prices;
+  const bool has_prices = is_ours && planner->can(Capability::prices);
   const bool has_style = has_prices && is_length(shown.cost);
   if (has_prices) usual.cost = {};  // prices of a style depend on the vehicle
   if (has_style) {

@@ -146,9 +146,9 @@ export function listen(changed) {
 
 /** Which settings the planner honours: others cannot be set. */
 export function enable(info) {
-  for (const key of sliders) if (key !== 'margin') byId(key).disabled = !info.honours_prices;
-  byId('gears').disabled = !info.honours_gears;
-  byId('steering').disabled = !info.honours_steering;
+  for (const key of sliders) if (key !== 'margin') byId(key).disabled = !info.capabilities.includes('prices');
+  byId('gears').disabled = !info.capabilities.includes('gears');
+  byId('steering').disabled = !info.capabilities.includes('steering');
 }
 
 const option = (value, label) => Object.assign(document.createElement('option'), {value, textContent: label});

@@ -47,14 +47,14 @@ export class Ground {
 /** What the planner is asked for a scene. */
 export function queryOf(scene, settings, info, time) {
   const options = {...scene.options, time_limit: time, seed: 1, margin: settings.margin, margin_ramp: settings.margin > 0 ? 5 : 0};
-  if (info.honours_prices) {
+  if (info.capabilities.includes('prices')) {
     for (const key of ['gear_change_cost', 'reverse_weight', 'clearance_weight', 'curvature_change_cost']) options[key] = settings[key];
   } else {
     for (const key of ['gear_change_cost', 'reverse_weight', 'clearance_weight', 'curvature_change_cost', 'clearance_distance', 'style']) delete options[key];
   }
-  if (info.honours_gears) options.gears = settings.gears;
+  if (info.capabilities.includes('gears')) options.gears = settings.gears;
   else delete options.gears;
-  if (info.honours_steering && !scene.vehicle.trailers) options.steering = settings.steering;
+  if (info.capabilities.includes('steering') && !scene.vehicle.trailers) options.steering = settings.steering;
   else delete options.steering;
   return {planner: info.name, options, start: scene.start, goal: goalOf(scene), vehicle: scene.vehicle};
 }
@@ -134,7 +134,7 @@ export class Planning {
       if (result.path) this.#judged = (performance.now() - begin) / 1000 - result.time;
       return result;
     };
-    const first = () => ask(firstBudget, info.proves ? {target_gap: 1000} : {}); // who proves a gap ends with the first path
+    const first = () => ask(firstBudget, info.capabilities.includes('target_gap') ? {target_gap: 1000} : {}); // who proves a gap ends with the first path
     const isHard = this.#isHard && !warm;
     let result = isHard ? first() : ask(time);
     if (result.status === 'time_limit' && !isHard) result = first();

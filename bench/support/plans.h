@@ -19,9 +19,8 @@ inline constexpr double never = std::numeric_limits<double>::infinity();
 /// Sets what "name=value" says. False if it says no such thing; throws InputError for a bad value.
 inline bool set_option(PlanOptions& options, std::string_view text) {
   const std::size_t equals = text.find('=');
-  const auto option =
-      std::ranges::find(common_options(), text.substr(0, equals), &CommonOption::name);
-  if (equals == std::string_view::npos || option == common_options().end()) return false;
+  const CommonOption* const option = find_common_option(text.substr(0, equals));
+  if (equals == std::string_view::npos || option == nullptr) return false;
   option->set(options, text.substr(equals + 1));
   return true;
 }

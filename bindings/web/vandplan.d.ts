@@ -292,13 +292,15 @@ export interface PlannerInfo {
   family: string;
   /** Estimate that ranks nodes, such as "hlut-2"; or empty. */
   estimate: string;
-  /** Whether prices of driving count; if not, they are refused. */
+  /** What it can do, as `vandplan planners --json` names it: 'prices', 'gears', 'target_gap', ... */
+  capabilities: string[];
+  /** @deprecated `capabilities` has 'prices'. */
   honours_prices: boolean;
-  /** Whether paths keep to `gears`. */
+  /** @deprecated `capabilities` has 'gears'. */
   honours_gears: boolean;
-  /** Whether paths keep to `steering`. */
+  /** @deprecated `capabilities` has 'steering'. */
   honours_steering: boolean;
-  /** Whether it proves a lower bound on the cost. */
+  /** @deprecated `capabilities` has 'target_gap'. */
   proves: boolean;
   /** Options of its own; `standard` is the default. */
   options: {name: string; summary: string; standard: string; range: string}[];

@@ -9,6 +9,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -17,6 +18,8 @@
 #include <string_view>
 #include <variant>
 #include <vector>
+
+#include "vandplan/capability.h"
 
 namespace vandplan {
 
@@ -219,18 +222,58 @@ struct OptionInfo {
   [[nodiscard]] std::string range() const;
 };
 
-/// An option of all planners that a user can set by name.
-struct CommonOption {
-  std::string_view name;                   ///< name by which a user sets the option
-  std::string_view summary;                ///< meaning, unit and range
-  std::string (*get)(const PlanOptions&);  ///< value as JSON: a number, string or null
-  /// Sets the option from text; throws InputError.
-  void (*set)(PlanOptions&, std::string_view value);
-  bool is_of_budget = false;  ///< whether the option is one of the budget
+/// Part of the options to which an option belongs.
+enum class OptionPart : std::uint8_t {
+  style,      ///< `PlanOptions::style`
+  measure,    ///< `CostOptions::measure`
+  prices,     ///< prices of `CostOptions`
+  gears,      ///< gears of `CostOptions`
+  steering,   ///< `PlanOptions::steering`
+  clearance,  ///< `PlanOptions::clearance`
+  budget,     ///< `PlanOptions::budget`
 };
 
-/// All options of all planners: "seed", "time_limit", "reverse_weight", ...
+/// An option that a user can set by name, whatever the planner: a row of the table of options.
+/// Command line, files, Python and reports know these options from the table alone.
+struct CommonOption {
+  /// Largest value of a number without a limit.
+  static constexpr double no_limit = std::numeric_limits<double>::max();
+
+  std::string_view name;       ///< name by which a user sets the option
+  std::string_view summary;    ///< meaning, half a sentence
+  std::string_view unit = {};  ///< unit of a number; or empty
+  double least = 0.0;          ///< smallest value of a number
+  double most = no_limit;      ///< largest value of a number
+  /// What the planner must be able to do, unless the value has no effect. None: nothing.
+  std::optional<Capability> needs = {};
+  OptionPart part = OptionPart::budget;          ///< part of the options
+  std::span<const std::string_view> words = {};  ///< values that a word may have
+  bool is_whole = false;                         ///< whether numbers are whole
+  bool is_optional = false;                      ///< whether it may be unset: "null"
+
+  std::string (*get)(const PlanOptions&) = nullptr;  ///< value as JSON: a number, string or null
+  /// Sets the option from text. Throws InputError without a name for a text of another type.
+  void (*set)(PlanOptions&, std::string_view text) = nullptr;
+  /// Value as a number; none if it is a word or not set.
+  std::optional<double> (*number)(const PlanOptions&) = nullptr;
+  /// Whether both have equal values.
+  bool (*equal)(const PlanOptions&, const PlanOptions&) = nullptr;
+  void (*copy)(PlanOptions& to, const PlanOptions& from) = nullptr;  ///< copies the value
+
+  /// The range as text: "0 to 1000", ">= 0 or null", "prices or time".
+  [[nodiscard]] std::string range() const;
+  /// Meaning, unit and range: "number of threads; 1 to 256".
+  [[nodiscard]] std::string text() const;
+};
+
+/// The options that every run has: "seed", "time_limit", "reverse_weight", ...
 [[nodiscard]] std::span<const CommonOption> common_options() noexcept;
+
+/// The whole table: "style", which `complete` replaces, and the common options.
+[[nodiscard]] std::span<const CommonOption> style_and_common_options() noexcept;
+
+/// The row of that name, "style" too; null if there is none.
+[[nodiscard]] const CommonOption* find_common_option(std::string_view name) noexcept;
 
 /// Value of an option as JSON: a number, string or bool.
 [[nodiscard]] std::string json_of(const OptionValue& value);
@@ -241,7 +284,8 @@ struct CommonOption {
 /// InputError naming the option when the value has another type or is out of range.
 [[nodiscard]] OptionValue fitting_value(const OptionInfo& info, const OptionValue& given);
 
-/// Checks budget, cost and clearance. Throws InputError naming the first option out of range.
+/// Checks all numbers of budget, cost and clearance. Throws InputError naming the first option out
+/// of range.
 void validate(const PlanOptions& options);
 
 /// Direction of travel: 1 forward, -1 reverse, 0 any.

@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "vandplan/capability.h"
 #include "vandplan/drive_check.h"
 #include "vandplan/outcome.h"
 #include "vandplan/path_check.h"
@@ -32,28 +33,12 @@ struct PlannerProperties {
   std::string estimate = {};  ///< estimate that ranks nodes: "euclid", "hlut-2", ...; or empty
   /// Name of the planner without its estimate; empty if it takes no estimate.
   std::string search = {};
-  bool tries_goal = false;        ///< whether every new node tries to reach the goal
-  bool honours_prices = false;    ///< whether `CostOptions` count; otherwise the cost is the length
-  bool honours_gears = false;     ///< whether paths keep to `CostOptions::gears`
-  Style style = Style::shortest;  ///< style when no style and no price is set
+  bool tries_goal = false;         ///< whether every new node tries to reach the goal
+  Capabilities capabilities = {};  ///< what the planner can do: {Capability::prices}
+  Style style = Style::shortest;   ///< style when no style and no price is set
   /// Steering when no steering is set; with a trailer only if the cost is the time. None: the
   /// steering of the style.
   std::optional<Steering> steering = {};
-  bool honours_time = false;     ///< whether `CostMeasure::time` is minimised
-  bool honours_threads = false;  ///< whether `BudgetOptions::threads` are used
-  /// Whether `BudgetOptions::target_gap` ends a run: the planner proves lower bounds.
-  bool honours_target_gap = false;
-  /// Whether `PlanOptions::steering` counts; otherwise paths are those of `reeds_shepp`.
-  bool honours_steering = false;
-  bool honours_primitives = false;  ///< whether `PlanOptions::primitives` are used
-  /// Whether paths avoid `Task::moving`; answers then have speeds, too.
-  bool honours_moving = false;
-  bool honours_trailers = false;  ///< whether vehicles with a trailer can be planned for
-  /// Whether the planner takes `Task::goal_set`; otherwise `plan` lets it plan to single goals in
-  /// turn.
-  bool honours_goal_sets = false;
-  /// Whether `PlanOptions::steering` counts for vehicles with a trailer, too.
-  bool honours_steering_of_rigs = false;
   /// Whether the planner improves its path until the budget is spent.
   bool anytime = false;
   bool deterministic = true;  ///< whether equal seeds and iterations give equal paths
@@ -72,6 +57,11 @@ struct Planner {
   PlannerProperties properties = {};
   std::vector<OptionInfo> options = {};  ///< options of this planner alone
   PlannerFunction function = {};
+
+  /// Whether the planner says that it can do that.
+  [[nodiscard]] bool can(Capability capability) const noexcept {
+    return properties.capabilities.has(capability);
+  }
 };
 
 /// Result of a planning run. Poses are in the scenario's frame.
@@ -154,19 +144,20 @@ struct PlanResult {
 /// estimates is "table".
 [[nodiscard]] bool asks_for_table(const Planner& planner, const PlanOptions& options);
 
-/// Sets an option for a planner by name from text, as `--set` does. Throws InputError naming the
-/// option if it does not exist, the planner does not honour it, or the value is not valid.
+/// Sets an option for a planner by name from text, as `--set` does. "style" resets the cost to
+/// `prices`, all prices and the steering; another "cost" resets the prices. Throws InputError
+/// naming the option if it does not exist, the value is not valid, or the planner does not honour
+/// it and the value has an effect (see `complete`).
 void set_option(PlanOptions& options, const Planner& planner, std::string_view name,
                 std::string_view text);
 
-/// Whether an option must be set before others, because it resets them: "style" resets the cost to
-/// `prices`, all prices and the steering; "cost" resets the prices. So "style" comes before "cost":
-/// "cost=time" followed by "style=shortest" minimises the length.
-[[nodiscard]] bool is_set_first(std::string_view option) noexcept;
+/// Place of an option among options that are given together: those that reset others are set first.
+/// 0: "style"; 1: "cost"; 2: all others. So "cost=time" beside "style=shortest" is the fastest
+/// drive on arcs and lines, whichever stands first.
+[[nodiscard]] int setting_order(std::string_view option) noexcept;
 
-/// Sets those options that the planner honours, and skips the others. Options that `is_set_first`
-/// names are set before the others, whatever their order. Throws InputError naming the
-/// option whose value is not valid.
+/// Sets those options that the planner honours, in the order of `setting_order`, and skips the
+/// others. Throws InputError naming the option whose value is not valid.
 void set_honoured(PlanOptions& options, const Planner& planner, std::span<const Setting> settings);
 
 /// Plans a path. A run without a limit of time or iterations takes `default_time_limit`. The path

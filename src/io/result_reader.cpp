@@ -116,59 +116,27 @@ void expect_in_range(const Document& file, const Node& node, const PlanOptions& 
   }
 }
 
-/// Reads a price. Null, which stands for a price that was not set, leaves it unchanged.
-void read_price(const Document& file, const Node& node, const char* key,
-                std::optional<double>& price) {
-  const Node* const given = file.find(node, key);
-  if (given != nullptr && given->kind != Node::Kind::nothing) price = file.number(*given);
+/// Reads an option that rates a path. Null stands for one that was not set.
+void read_option(const Document& file, const Node& given, const CommonOption& option,
+                 PlanOptions& options) {
+  if (given.kind == Node::Kind::nothing && option.is_optional) return;
+  if (option.words.empty()) {
+    option.set(options, base::shortest_text(file.number(given)));
+    return;
+  }
+  try {
+    option.set(options, file.text(given));
+  } catch (const InputError& error) {
+    file.fail(given, error.problem());
+  }
 }
 
 /// Reads the options that rate a path. Without prices the cost is the length.
 void read_options(const Document& file, const Node& node, PlanOptions& options) {
-  CostOptions& cost = options.cost;
-  read_price(file, node, "forward_weight", cost.forward_weight);
-  read_price(file, node, "reverse_weight", cost.reverse_weight);
-  read_price(file, node, "gear_change_cost", cost.gear_change_cost);
-  read_price(file, node, "curvature_change_cost", cost.curvature_change_cost);
-  read_price(file, node, "clearance_weight", cost.clearance_weight);
-  read_price(file, node, "clearance_distance", cost.clearance_distance);
-  if (const Node* const margin = file.find(node, "margin")) {
-    options.clearance.margin = file.number(*margin);
-  }
-  if (const Node* const ramp = file.find(node, "margin_ramp")) {
-    options.clearance.margin_ramp = file.number(*ramp);
-  }
-  if (const Node* const gear = file.find(node, "initial_gear")) {
-    const std::string& word = file.text(*gear);
-    if (word != "any" && word != "forward" && word != "reverse") {
-      file.fail(*gear, fmt::format("is \"{}\", expected any, forward or reverse", word));
-    }
-    cost.initial_gear = word == "forward"   ? InitialGear::forward
-                        : word == "reverse" ? InitialGear::reverse
-                                            : InitialGear::any;
-  }
-  if (const Node* const measure = file.find(node, "cost")) {
-    const std::string& word = file.text(*measure);
-    if (word != "prices" && word != "time") {
-      file.fail(*measure, fmt::format("is \"{}\", expected prices or time", word));
-    }
-    cost.measure = word == "time" ? CostMeasure::time : CostMeasure::prices;
-  }
-  if (const Node* const gears = file.find(node, "gears")) {
-    const std::string& word = file.text(*gears);
-    try {
-      cost.gears = gears_named(word);
-    } catch (const InputError& error) {
-      file.fail(*gears, error.problem());
-    }
-  }
-  const Node* const steering = file.find(node, "steering");
-  if (steering != nullptr && steering->kind != Node::Kind::nothing) {
-    try {
-      options.steering = steering_named(file.text(*steering));
-    } catch (const InputError& error) {
-      file.fail(*steering, error.problem());
-    }
+  for (const CommonOption& option : common_options()) {
+    const Node* const given = file.find(node, option.name);
+    if (given == nullptr || option.part == OptionPart::budget) continue;
+    read_option(file, *given, option, options);
   }
   expect_in_range(file, node, options);
 }
@@ -186,7 +154,7 @@ std::vector<Setting> stated_options(const Node& options) {
 /// Whether the planner's cost is the length, whatever the options say.
 bool goes_by_length(const std::string& planner) {
   const std::optional<Planner> known = find_planner(planner);
-  return known && !known->properties.honours_prices;
+  return known && !known->can(Capability::prices);
 }
 
 std::optional<StatedCost> cost_from(const Document& file, const Node& node,

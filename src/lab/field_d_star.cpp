@@ -331,7 +331,7 @@ Planner planner() {
   return {.name = "field-d-star",
           .summary = "Field D* route, followed through poses beside it",
           .properties = {.family = "field-d-star",
-                         .honours_gears = true,
+                         .capabilities = {Capability::gears},
                          .anytime = true,
                          .groups = {"family"}},
           .options = {{.name = "cell",

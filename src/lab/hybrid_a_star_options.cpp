@@ -62,8 +62,7 @@ Planner planner() {
   return {.name = "hybrid-a-star",
           .summary = "Hybrid A*: one continuous pose per cell of position and heading",
           .properties = {.family = "hybrid-a-star",
-                         .honours_prices = true,
-                         .honours_gears = true,
+                         .capabilities = {Capability::prices, Capability::gears},
                          .groups = {"family"}},
           .options = options(),
           .function = plan};

@@ -64,9 +64,8 @@ Planner rrt_planner(const Choice& choice, const Ranking& ranking, bool tries_goa
                                  .estimate = ranking.property,
                                  .search = search,
                                  .tries_goal = tries_goal,
-                                 .honours_gears = true,
-                                 .honours_steering = true,
-                                 .honours_trailers = true,
+                                 .capabilities = {Capability::gears, Capability::steering,
+                                                  Capability::trailers},
                                  .anytime = true},
                   .options = rrt::options(tries_goal),
                   .function = [variant](const Task& task, const PlanOptions& options) {

@@ -12,11 +12,12 @@ namespace {
 /// on, and backs out of a way that was wrong.
 Planner planner(const char* name, const char* summary, std::vector<OptionInfo> options,
                 PlannerAnswer (*function)(const Task&, const PlanOptions&)) {
+  Capabilities capabilities = {Capability::primitives};
+  if (function != plan_ltba_star) capabilities.add(Capability::gears);
   return {.name = name,
           .summary = summary,
           .properties = {.family = name,
-                         .honours_gears = function != plan_ltba_star,
-                         .honours_primitives = true,
+                         .capabilities = capabilities,
                          .anytime = true,
                          .groups = {"family"}},
           .options = std::move(options),

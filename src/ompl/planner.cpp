@@ -116,7 +116,7 @@ Planner::Planner(const ob::SpaceInformationPtr& si, vandplan::Planner planner,
   options_.steering = Steering::reeds_shepp;
   (void)complete(planner_, options_);
   specs_.optimizingPaths = planner_.properties.anytime;
-  specs_.provingSolutionNonExistence = planner_.properties.honours_target_gap;
+  specs_.provingSolutionNonExistence = planner_.can(Capability::target_gap);
   declare_options();
 }
 
@@ -130,7 +130,8 @@ void Planner::declare_options() {
     params_.declareParam<std::string>(name, set, get);
   };
   for (const CommonOption& common : common_options()) {
-    const bool is_of_the_set_up = common.name == "steering" || common.name.starts_with("margin");
+    const bool is_of_the_set_up =
+        common.part == OptionPart::steering || common.part == OptionPart::clearance;
     if (is_of_the_set_up || !honours(planner_, common.name)) continue;
     declare(std::string(common.name), [this, get = common.get] { return get(options_); });
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include "base/nearest_word.h"
@@ -15,10 +16,6 @@
 namespace vandplan {
 namespace {
 
-constexpr std::string_view style_key = "style";
-constexpr std::string_view steering_key = "steering";
-constexpr std::string_view cost_key = "cost";
-constexpr std::string_view gears_key = "gears";
 constexpr std::string_view primitives_key = "primitives";
 
 const OptionInfo* own_option(const Planner& planner, std::string_view name) {
@@ -26,15 +23,17 @@ const OptionInfo* own_option(const Planner& planner, std::string_view name) {
   return found == planner.options.end() ? nullptr : &*found;
 }
 
-const CommonOption* common_option(std::string_view name) {
-  const auto found = std::ranges::find(common_options(), name, &CommonOption::name);
-  return found == common_options().end() ? nullptr : &*found;
+bool is_honoured(const Planner& planner, const CommonOption& option) {
+  return !option.needs || planner.can(*option.needs);
 }
 
-bool is_price(std::string_view option) {
-  return option == "forward_weight" || option == "reverse_weight" || option == "gear_change_cost" ||
-         option == "curvature_change_cost" || option == "clearance_weight" ||
-         option == "clearance_distance";
+/// Whether every planner does what the option says: it is not set, or asks for planning by length,
+/// or for arcs and lines.
+bool has_no_effect(const CommonOption& option, const PlanOptions& options) {
+  const PlanOptions unset;
+  const PlanOptions by_length{
+      .style = Style::shortest, .cost = shortest_style, .steering = Steering::reeds_shepp};
+  return option.equal(options, unset) || option.equal(options, by_length);
 }
 
 /// Names of the planners for which `does` is true, with commas between them. A large family has one
@@ -56,6 +55,11 @@ std::string planners_that(const Predicate& does) {
     if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
   }
   return base::joined(names);
+}
+
+/// Names of the planners that can do that.
+std::string planners_with(Capability capability) {
+  return planners_that([=](const Planner& planner) { return planner.can(capability); });
 }
 
 [[noreturn]] void refuse(const Planner& planner, std::string_view option) {
@@ -82,24 +86,18 @@ std::string planners_that(const Predicate& does) {
         "scenario");
   }
   std::vector<std::string> names;
-  if (honours(planner, style_key)) names.emplace_back(style_key);
-  for (const CommonOption& common : common_options()) {
-    if (honours(planner, common.name)) names.emplace_back(common.name);
+  for (const CommonOption& common : style_and_common_options()) {
+    if (is_honoured(planner, common)) names.emplace_back(common.name);
   }
   for (const OptionInfo& info : planner.options) names.push_back(info.name);
   throw InputError(std::string(option), "unknown option, " + base::expected_one_of(option, names));
 }
 
-/// Throws InputError for an option that is set but ignored by the planner. Options that ask for
-/// planning by length, or for arcs and lines, are allowed.
+/// Throws InputError for an option that has an effect which the planner ignores.
 void refuse_ignored(const Planner& planner, const PlanOptions& options) {
-  const PlanOptions unset;
-  const PlanOptions known{.cost = shortest_style, .steering = Steering::reeds_shepp};
-  if (options.style == Style::driver && !honours(planner, style_key)) refuse(planner, style_key);
-  for (const CommonOption& common : common_options()) {
-    if (honours(planner, common.name)) continue;
-    const std::string value = common.get(options);
-    if (value != common.get(unset) && value != common.get(known)) refuse(planner, common.name);
+  for (const CommonOption& common : style_and_common_options()) {
+    if (is_honoured(planner, common) || has_no_effect(common, options)) continue;
+    refuse(planner, common.name);
   }
   for (const auto& [name, value] : options.planner.values()) {
     if (own_option(planner, name) == nullptr) refuse(planner, name);
@@ -110,26 +108,21 @@ void refuse_ignored(const Planner& planner, const PlanOptions& options) {
 
 /// Throws InputError for a price that is set, unless to a value without effect.
 void refuse_prices(const PlanOptions& options) {
-  const PlanOptions unset;
-  const PlanOptions neutral{.cost = shortest_style};
   for (const CommonOption& common : common_options()) {
-    if (!is_price(common.name)) continue;
-    const std::string value = common.get(options);
-    if (value == common.get(unset) || value == common.get(neutral)) continue;
+    if (common.part != OptionPart::prices || has_no_effect(common, options)) continue;
     throw InputError(std::string(common.name), "is a price, and the cost is the time");
   }
 }
 
 /// Replaces the style by its prices and its steering.
 void settle_style(const Planner& planner, const Vehicle& vehicle, PlanOptions& all) {
-  const Style style = planner.properties.honours_prices
-                          ? all.style.value_or(planner.properties.style)
-                          : Style::shortest;
+  const Style style = planner.can(Capability::prices) ? all.style.value_or(planner.properties.style)
+                                                      : Style::shortest;
   all.style.reset();
   const bool is_time = all.cost.measure == CostMeasure::time;
   if (is_time) refuse_prices(all);
   all.cost = filled(all.cost, is_time ? shortest_style : prices_of(style, vehicle));
-  if (!planner.properties.honours_steering) all.steering = Steering::reeds_shepp;
+  if (!planner.can(Capability::steering)) all.steering = Steering::reeds_shepp;
   if (all.steering) return;
   const bool is_shortest = style == Style::shortest || is_length(all.cost);
   const Steering usual = is_shortest ? Steering::reeds_shepp : Steering::continuous_between_stops;
@@ -147,25 +140,21 @@ void settle_table(const Planner& planner, const PlanOptions& all) {
   }
 }
 
-/// Sets the style, and unsets prices and steering. A planner without prices takes only the
-/// shortest.
-void set_style(PlanOptions& options, const Planner& planner, std::string_view name) {
-  const Style style = style_named(name);
-  if (style != Style::shortest && !honours(planner, style_key)) refuse(planner, style_key);
-  options.style = style;
-  options.cost = {.initial_gear = options.cost.initial_gear, .gears = options.cost.gears};
-  options.steering.reset();
-}
-
 }  // namespace
 
 namespace planning {
 
 void refuse_moving(const Planner& planner) {
-  const std::string others =
-      planners_that([](const Planner& other) { return other.properties.honours_moving; });
   throw InputError("moving", "is not honoured by " + planner.name +
-                                 ", expected one of the planners that honour it: " + others);
+                                 ", expected one of the planners that honour it: " +
+                                 planners_with(Capability::moving));
+}
+
+void unset_prices(PlanOptions& options) {
+  const PlanOptions unset;
+  for (const CommonOption& common : common_options()) {
+    if (common.part == OptionPart::prices) common.copy(options, unset);
+  }
 }
 
 }  // namespace planning
@@ -207,16 +196,10 @@ Planner planner_named(std::string_view name) {
 
 bool honours(const Planner& planner, std::string_view option) {
   if (own_option(planner, option) != nullptr) return true;
-  if (option == style_key) return planner.properties.honours_prices;
   if (option == planning::table_key) return own_option(planner, planning::estimate_key) != nullptr;
-  if (option == primitives_key) return planner.properties.honours_primitives;
-  if (common_option(option) == nullptr) return false;
-  if (option == cost_key) return planner.properties.honours_time;
-  if (option == "threads") return planner.properties.honours_threads;
-  if (option == "target_gap") return planner.properties.honours_target_gap;
-  if (option == steering_key) return planner.properties.honours_steering;
-  if (option == gears_key) return planner.properties.honours_gears;
-  return !(is_price(option) || option == "initial_gear") || planner.properties.honours_prices;
+  if (option == primitives_key) return planner.can(Capability::primitives);
+  const CommonOption* const common = find_common_option(option);
+  return common != nullptr && is_honoured(planner, *common);
 }
 
 bool asks_for_table(const Planner& planner, const PlanOptions& options) {
@@ -239,46 +222,43 @@ void set_option(PlanOptions& options, const Planner& planner, std::string_view n
   if (name == primitives_key && honours(planner, name)) {
     throw InputError(std::string(name), "are a file and no text, expected --primitives FILE");
   }
-  if (name == style_key) {
-    set_style(options, planner, text);
-    return;
-  }
-  const bool is_usual = (name == steering_key && text == name_of(Steering::reeds_shepp)) ||
-                        (name == gears_key && text == name_of(AllowedGears::both));
-  if (!honours(planner, name) && !is_usual) refuse(planner, name);
   if (const OptionInfo* const own = own_option(planner, name)) {
     options.planner.set(name, parsed_value(*own, text));
     return;
   }
-  const CommonOption& common = *common_option(name);
+  const CommonOption* const common = find_common_option(name);
+  if (common == nullptr) refuse(planner, name);
   PlanOptions changed = options;
   try {
-    common.set(changed, text);
+    common->set(changed, text);
   } catch (const InputError& error) {
-    throw InputError(std::string(name),
-                     error.problem() + ", expected: " + std::string(common.summary));
+    throw InputError(std::string(name), error.problem() + ", expected: " + common->text());
   }
-  if (changed.cost.measure != options.cost.measure) {
-    changed.cost = {.initial_gear = changed.cost.initial_gear,
-                    .measure = changed.cost.measure,
-                    .gears = changed.cost.gears};
+  if (!is_honoured(planner, *common) && !has_no_effect(*common, changed)) refuse(planner, name);
+  const bool is_style = common->part == OptionPart::style;
+  if (is_style) {
+    changed.cost.measure = CostMeasure::prices;
+    changed.steering.reset();
   }
+  if (is_style || changed.cost.measure != options.cost.measure) planning::unset_prices(changed);
   validate(changed);
   options = changed;
 }
 
-bool is_set_first(std::string_view option) noexcept {
-  return option == style_key || option == cost_key;
+int setting_order(std::string_view option) noexcept {
+  const CommonOption* const common = find_common_option(option);
+  if (common == nullptr) return 2;
+  return common->part == OptionPart::style ? 0 : common->part == OptionPart::measure ? 1 : 2;
 }
 
 void set_honoured(PlanOptions& options, const Planner& planner, std::span<const Setting> settings) {
-  for (const bool is_first : {true, false}) {
-    for (const auto& [name, value] : settings) {
-      if (is_set_first(name) == is_first && honours(planner, name)) {
-        set_option(options, planner, name, value);
-      }
-    }
-  }
+  std::vector<Setting> honoured;
+  std::copy_if(settings.begin(), settings.end(), std::back_inserter(honoured),
+               [&](const Setting& setting) { return honours(planner, setting.name); });
+  std::stable_sort(honoured.begin(), honoured.end(), [](const Setting& a, const Setting& b) {
+    return setting_order(a.name) < setting_order(b.name);
+  });
+  for (const auto& [name, value] : honoured) set_option(options, planner, name, value);
 }
 
 PlanOptions complete(const Planner& planner, const PlanOptions& options, const Vehicle& vehicle) {
@@ -295,25 +275,21 @@ PlanOptions complete(const Planner& planner, const PlanOptions& options, const V
     all.budget.time_limit = default_time_limit;
   }
   if (!vehicle.trailer) return all;
-  if (!planner.properties.honours_trailers) {
-    const std::string others =
-        planners_that([](const Planner& other) { return other.properties.honours_trailers; });
+  if (!planner.can(Capability::trailers)) {
     throw InputError("planner", planner.name +
                                     " plans for a vehicle without a trailer, expected one of those "
                                     "that know trailers: " +
-                                    others);
+                                    planners_with(Capability::trailers));
   }
   const bool is_time = options.cost.measure == CostMeasure::time;
   const Steering usual = is_time ? *all.steering : Steering::reeds_shepp;
   const Steering steering = options.steering.value_or(usual);
-  if (steering != Steering::reeds_shepp && !planner.properties.honours_steering_of_rigs) {
-    const std::string others = planners_that(
-        [](const Planner& other) { return other.properties.honours_steering_of_rigs; });
-    throw InputError(std::string(steering_key),
+  if (steering != Steering::reeds_shepp && !planner.can(Capability::steering_of_rigs)) {
+    throw InputError("steering",
                      "is " + std::string(name_of(steering)) +
                          ", expected reeds-shepp for a vehicle with a trailer, or a planner that "
                          "steers it so: " +
-                         others);
+                         planners_with(Capability::steering_of_rigs));
   }
   all.steering = steering;
   return all;

@@ -13,4 +13,7 @@ namespace vandplan::planning {
 /// honour them.
 [[noreturn]] void refuse_moving(const Planner& planner);
 
+/// Takes all prices back.
+void unset_prices(PlanOptions& options);
+
 }  // namespace vandplan::planning

@@ -144,7 +144,7 @@ PlanResult plan(const Problem& problem, const Planner& planner, const PlanOption
     throw InputError("planner",
                      "\"" + planner.name + "\" has no function, expected one that plans");
   }
-  if (!problem.task().moving.empty() && !planner.properties.honours_moving) {
+  if (!problem.task().moving.empty() && !planner.can(Capability::moving)) {
     planning::refuse_moving(planner);
   }
   const PlanOptions all = complete(planner, options, problem.vehicle());
@@ -152,7 +152,7 @@ PlanResult plan(const Problem& problem, const Planner& planner, const PlanOption
   const Task task = task_of(problem, all.clearance, *all.steering);
   std::optional<PlannerAnswer> answer = settled(task);
   if (!answer) {
-    const bool takes_task = task.goal_set.empty() || planner.properties.honours_goal_sets;
+    const bool takes_task = task.goal_set.empty() || planner.can(Capability::goal_sets);
     const double time_price = task.moving.empty() ? 0.0 : in_time::time_price;
     answer = takes_task ? planner.function(task, all)
                         : planning::plan_to_set(task, all, time_price,

@@ -14,6 +14,7 @@
 #include "planners/anytime/shorten.h"
 #include "planners/commands/shorten_drive.h"
 #include "planners/commands/wheels.h"
+#include "planners/options.h"
 #include "planners/pricing.h"
 #include "planners/rig/softer_wheels.h"
 #include "search/route.h"
@@ -190,8 +191,8 @@ Problem to_end_of(const Problem& problem, const Path& path) {
 /// Whether an option of the run that planned a path counts when the path is smoothed.
 bool counts(const Planner& planner, const Setting& setting) {
   if (!honours(planner, setting.name)) return false;
-  const auto common = std::ranges::find(common_options(), setting.name, &CommonOption::name);
-  if (common != common_options().end() && common->is_of_budget) return false;
+  const CommonOption* const common = find_common_option(setting.name);
+  if (common != nullptr && common->part == OptionPart::budget) return false;
   PlanOptions options;
   set_option(options, planner, setting.name, setting.value);
   return options.steering != Steering::reeds_shepp;
@@ -212,14 +213,11 @@ Planner smoother(const Path& path, SmoothMethod method) {
   return {.name = "smooth-" + std::string(name),
           .summary = "smooths a given path",
           .properties = {.family = "smooth",
-                         .honours_prices = true,
-                         .honours_gears = true,
+                         .capabilities = {Capability::prices, Capability::time, Capability::gears,
+                                          Capability::steering, Capability::steering_of_rigs,
+                                          Capability::trailers},
                          .style = Style::driver,
                          .steering = Steering::continuous_between_stops,
-                         .honours_time = true,
-                         .honours_steering = true,
-                         .honours_trailers = true,
-                         .honours_steering_of_rigs = true,
                          .anytime = method == SmoothMethod::optimised},
           .options = {anytime::min_stroke_option()},
           .function = [path, method](const Task& task, const PlanOptions& options) {
@@ -237,11 +235,7 @@ PlanOptions smooth_options(std::span<const Setting> scenario, std::span<const Se
   set_honoured(options, planner, of_run);
   // Version 0.2.0 stored prices beside the time, which did not count.
   const auto is_time = [](const Setting& s) { return s.name == "cost" && s.value == "time"; };
-  if (std::any_of(of_run.begin(), of_run.end(), is_time)) {
-    options.cost = {.initial_gear = options.cost.initial_gear,
-                    .measure = CostMeasure::time,
-                    .gears = options.cost.gears};
-  }
+  if (std::any_of(of_run.begin(), of_run.end(), is_time)) planning::unset_prices(options);
   return options;
 }
 

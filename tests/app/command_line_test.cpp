@@ -93,6 +93,22 @@ TEST(PlannersCommand, ListsTheOptionsOfAll) {
             std::string::npos);
 }
 
+// An option that families share stands there once, with their names.
+TEST(PlannersCommand, SaysOnceWhatFamiliesShare) {
+  const std::string list = run_vandplan({"planners", "--options"}).out;
+  const std::string flat = std::regex_replace(list, std::regex("\\s+"), " ");
+  const std::string region =
+      " region=bounds sampling region; bounds or scene (anytime, rrt-... (28), prm, hrrt-... (3), "
+      "rrt-connect, rrt-star) ";
+  const std::size_t place = flat.find(region);
+  ASSERT_NE(place, std::string::npos) << list;
+  EXPECT_EQ(flat.find(" region="), place);
+  EXPECT_EQ(flat.rfind(" region="), place);
+  EXPECT_LT(place, flat.find(" Keys of anytime alone: min_stroke="));
+  EXPECT_NE(list.find("\nKeys of rrt-... (28) alone:\n"), std::string::npos) << list;
+  EXPECT_EQ(list.find("Keys of rrt-connect alone:\nKeys"), std::string::npos) << list;
+}
+
 TEST(PlannersCommand, ListsEveryPlannerAndMarksTheDefault) {
   const Outcome text = run_vandplan({"planners"});
   EXPECT_EQ(text.status, 0);
@@ -115,7 +131,9 @@ TEST(PlannersCommand, OnePlannerIsToldWithItsOptions) {
   EXPECT_EQ(text.out.find("reverse_weight"), std::string::npos) << text.out;
   const Json json = Json::parse(run_vandplan({"planners", "rrt-bsc-euc", "--json"}).out);
   EXPECT_EQ(json.at("properties").at("family"), "rrt");
+  EXPECT_EQ(json.at("properties").at("capabilities"), Json({"gears", "steering", "trailers"}));
   EXPECT_EQ(json.at("properties").at("honours_steering"), true);
+  EXPECT_EQ(json.at("properties").at("honours_prices"), false);
   EXPECT_EQ(json.at("options").at(0).contains("range"), true);
   EXPECT_EQ(run_vandplan({"planners", "best"}).status, 2);
 }

@@ -383,7 +383,7 @@ TEST_F(PlanCommand, AnOptionThatThePlannerDoesNotHonourIsRefused) {
   EXPECT_NE(flag.err.find("rrt-... (28), "), std::string::npos) << flag.err;
   EXPECT_EQ(flag.err.find('\n'), flag.err.size() - 1);
 
-  const Outcome key = plan({"--set", "reverse_weight=1", "--planner", "rrt-bsc-euc"});
+  const Outcome key = plan({"--set", "reverse_weight=2", "--planner", "rrt-bsc-euc"});
   EXPECT_EQ(key.status, 2);
   EXPECT_EQ(key.err,
             "vandplan: reverse_weight: is no option of rrt-bsc-euc, expected one of the planners "
@@ -402,6 +402,28 @@ TEST_F(PlanCommand, TheSteeringIsAnOption) {
             "continuous-between-stops");
   EXPECT_EQ(steering_of("anytime", {"--set", "steering=continuous", "--set", "style=shortest"}),
             "continuous");
+}
+
+TEST_F(PlanCommand, TimeBesideAStyleIsTheFastestDriveInEitherOrder) {
+  const auto rule = [&](const char* of_file, const std::vector<std::string>& settings) {
+    write_content(scenario_, yard() + of_file);
+    std::vector<std::string> arguments = {"--json", "--max-iterations", "0"};
+    for (const std::string& setting : settings) {
+      arguments.insert(arguments.end(), {"--set", setting});
+    }
+    const Outcome outcome = plan(arguments);
+    EXPECT_EQ(outcome.err, "");
+    const Json options = Json::parse(outcome.out).at("options");
+    return options.at("cost").get<std::string>() + ", " + options.at("steering").get<std::string>();
+  };
+  const std::string fastest = "time, reeds-shepp";
+  EXPECT_EQ(rule("", {"cost=time", "style=shortest"}), fastest);
+  EXPECT_EQ(rule("", {"style=shortest", "cost=time"}), fastest);
+  EXPECT_EQ(rule("options: {cost: time, style: shortest}\n", {}), fastest);
+  EXPECT_EQ(rule("options: {style: shortest, cost: time}\n", {}), fastest);
+  // What is typed replaces what the file says.
+  EXPECT_EQ(rule("options: {style: shortest}\n", {"cost=time"}), fastest);
+  EXPECT_EQ(rule("options: {cost: time}\n", {"style=shortest"}), "prices, reeds-shepp");
 }
 
 TEST_F(PlanCommand, OptionsOfEveryFamilyAreListed) {

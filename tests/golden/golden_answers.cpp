@@ -69,7 +69,7 @@ void answer_all(const std::string& file) {
   std::string name = scenario.scenario.name;
   if (scenario.is_row()) name += " goal " + std::to_string(goal);
   for (const Planner& planner : planners()) {
-    const bool honours_prices = planner.properties.honours_prices;
+    const bool honours_prices = planner.can(Capability::prices);
     PlanOptions options{.cost = shortest_style, .steering = Steering::reeds_shepp};
     options.budget.max_iterations = is_of_literature(planner) ? 6000 : honours_prices ? 2000 : 600;
     answer(name, problems[goal], planner, options, "");
@@ -80,7 +80,7 @@ void answer_all(const std::string& file) {
     options.cost = driver_style;
     options.steering.reset();
     answer(name, problems[goal], planner, options, " style=driver");
-    if (!planner.properties.honours_steering) continue;
+    if (!planner.can(Capability::steering)) continue;
     options.cost = shortest_style;
     options.steering = Steering::continuous_between_stops;
     answer(name, problems[goal], planner, options, " steering=continuous-between-stops");

@@ -76,7 +76,7 @@ class Judgement {
     const auto count = static_cast<double>(planners().size() - 1);
     for (;;) {
       const Planner& planner = planners()[1 + static_cast<std::size_t>(uniform(0, count, rng_))];
-      if (!is_rig() || planner.properties.honours_trailers) return planner;
+      if (!is_rig() || planner.can(Capability::trailers)) return planner;
     }
   }
 
@@ -97,19 +97,19 @@ class Judgement {
     }
     constexpr Steering kinds[] = {Steering::reeds_shepp, Steering::continuous_between_stops,
                                   Steering::continuous};
-    const bool steers = is_rig() ? planner.properties.honours_steering_of_rigs
-                                 : planner.properties.honours_steering;
+    const bool steers =
+        is_rig() ? planner.can(Capability::steering_of_rigs) : planner.can(Capability::steering);
     if (steers && chance(0.7, rng_)) options.steering = kinds[rng_() % 3];
     options.cost = cost_for(planner);
-    if (planner.properties.honours_gears && chance(0.2, rng_)) {
+    if (planner.can(Capability::gears) && chance(0.2, rng_)) {
       options.cost.gears = chance(0.5, rng_) ? AllowedGears::forward : AllowedGears::reverse;
     }
     return options;
   }
 
   CostOptions cost_for(const Planner& planner) {
-    if (planner.properties.honours_time && chance(0.1, rng_)) return {.measure = CostMeasure::time};
-    if (!planner.properties.honours_prices || chance(0.3, rng_)) return {};
+    if (planner.can(Capability::time) && chance(0.1, rng_)) return {.measure = CostMeasure::time};
+    if (!planner.can(Capability::prices) || chance(0.3, rng_)) return {};
     CostOptions cost = shortest_style;
     if (chance(0.5, rng_)) return cost;
     if (chance(0.2, rng_)) cost.forward_weight = uniform(1, 3, rng_);

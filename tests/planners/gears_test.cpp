@@ -127,7 +127,7 @@ TEST_P(HonoursGears, EveryPlannerThatSaysSo) {
   const Problem problem = around_a_wall(Bodies::truck, gears, false);
   for (const Planner& planner : planners()) {
     PlanOptions options = limited(gears, is_sanitized ? 50 : 1000);
-    if (!planner.properties.honours_gears) {
+    if (!planner.can(Capability::gears)) {
       EXPECT_THROW((void)plan(problem, planner, options), InputError) << planner.name;
       continue;
     }
@@ -233,7 +233,7 @@ TEST(OneGear, WhoStandsAtTheGoalChangesNoGear) {
 TEST(OneGear, PlannersOfTheLaboratoryClaimNoMoreThanTheToleranceLeaves) {
   const Problem problem = problem_of({0, 0, 0}, {0, 7e-7, 0}, {});
   for (const Planner& planner : planners()) {
-    if (!planner.properties.honours_gears) continue;
+    if (!planner.can(Capability::gears)) continue;
     const PlanResult result = plan(problem, planner, limited(AllowedGears::forward, 300));
     EXPECT_NE(result.status, PlanStatus::rejected) << planner.name << ": " << result.reason;
     EXPECT_EQ(result.lower_bound, 0.0) << planner.name;

@@ -309,7 +309,7 @@ TEST(OwnPlanner, ItsOptionsAreCheckedLikeOurs) {
 
 TEST(OwnPlanner, PricesAreChargedByPlanWhereItHonoursThem) {
   Planner planner = driving({{0, -1}, {0, 21}});
-  planner.properties.honours_prices = true;
+  planner.properties.capabilities.add(Capability::prices);
   PlanOptions options;
   options.cost = by_length_and(3, 5);
   options.cost.initial_gear = InitialGear::forward;
@@ -324,7 +324,7 @@ TEST(OwnPlanner, IsToldHowTheVehicleSteers) {
   std::optional<Steering> in_options;
   Planner planner{.name = "asks",
                   .summary = "",
-                  .properties = {.honours_steering = true},
+                  .properties = {.capabilities = {Capability::steering}},
                   .function = [&](const Task& task, const PlanOptions& options) {
                     in_task = task.steering;
                     in_options = options.steering;
@@ -335,7 +335,7 @@ TEST(OwnPlanner, IsToldHowTheVehicleSteers) {
   (void)plan(straight_ahead(), planner, options);
   EXPECT_EQ(in_task, Steering::continuous);
   EXPECT_EQ(in_options, Steering::continuous);
-  planner.properties.honours_steering = false;
+  planner.properties.capabilities.remove(Capability::steering);
   EXPECT_THROW((void)plan(straight_ahead(), planner, options), InputError);
 }
 
@@ -343,7 +343,7 @@ TEST(OwnPlanner, IsToldHowTheVehicleSteers) {
 TEST(OwnPlanner, IsAskedWhereOnlyTheWheelsAreToTurn) {
   const auto runs = std::make_shared<int>(0);
   Planner planner = straight_planner(runs);
-  planner.properties.honours_steering = true;
+  planner.properties.capabilities.add(Capability::steering);
   const Problem here = problem_of({1, 2, 3}, {1, 2, 3}, {});
   const Problem turned =
       make_problem(here.world(), here.vehicle(), here.start(), here.goal(), {0.0, 0.1});
@@ -459,7 +459,7 @@ TEST(RejectedPath, JumpsInCurvatureWhereTheVehicleRolls) {
   Planner planner = driving({{0, 3}, {1.0 / 7, 7 * pi / 2}});
   const Problem problem = problem_of({0, 0, 0}, {10, 7, pi / 2}, {});
   EXPECT_EQ(plan(problem, planner).status, PlanStatus::solved);
-  planner.properties.honours_steering = true;
+  planner.properties.capabilities.add(Capability::steering);
   PlanOptions options;
   options.steering = Steering::continuous_between_stops;
   const PlanResult result = plan(problem, planner, options);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
@@ -79,6 +80,22 @@ TEST(PlanOptions, NullTakesALimitAway) {
   EXPECT_EQ(options.budget.max_iterations, std::nullopt);
 }
 
+TEST(PlanOptions, ValidateSaysTheRule) {
+  const auto message = [](const PlanOptions& options) {
+    return message_of([&] { validate(options); });
+  };
+  EXPECT_EQ(message({.budget = {.time_limit = -1}}), "time_limit: -1 is not a number >= 0 [s]");
+  EXPECT_EQ(message({.budget = {.max_iterations = -1}}),
+            "max_iterations: -1 is not a whole number >= 0");
+  EXPECT_EQ(message({.budget = {.threads = 0}}), "threads: 0 is not a whole number from 1 to 256");
+  EXPECT_EQ(message({.budget = {.target_gap = 1001}}),
+            "target_gap: 1001 is not a number from 0 to 1000");
+  EXPECT_EQ(message({.cost = {.curvature_change_cost = -1}}),
+            "curvature_change_cost: -1 is not a number from 0 to 10000 [m per 1/m]");
+  EXPECT_EQ(message({.clearance = {.margin = -1}}),
+            "margin: -1 is not a number from 0 to 1000 [m]");
+}
+
 TEST(PlanOptions, ValidateRejectsWhatIsOutOfRange) {
   const auto is_rejected = [](auto change) {
     PlanOptions options;
@@ -105,7 +122,116 @@ TEST(PlanOptions, ValidateRejectsWhatIsOutOfRange) {
   EXPECT_TRUE(is_rejected([](PlanOptions& o) { o.cost.clearance_distance = nan; }));
 }
 
+// ---- the table ----
+
+TEST(Capabilities, HaveNamesThatAreRead) {
+  std::set<std::string_view> names;
+  for (const Capability capability : all_capabilities()) {
+    EXPECT_FALSE(name_of(capability).empty());
+    EXPECT_TRUE(names.insert(name_of(capability)).second) << name_of(capability);
+    EXPECT_EQ(capability_named(name_of(capability)), capability);
+  }
+  EXPECT_EQ(name_of(all_capabilities().front()), "prices");
+  EXPECT_EQ(all_capabilities().back(), Capability::goal_sets);
+  EXPECT_EQ(message_of([] {
+              (void)capability_named("price");
+            }).substr(0, std::string("capabilities: \"price\" is unknown, did you mean ").size()),
+            "capabilities: \"price\" is unknown, did you mean ");
+}
+
+TEST(Capabilities, AreASet) {
+  constexpr Capabilities two = {Capability::prices, Capability::goal_sets};
+  static_assert(two.has(Capability::goal_sets) && !two.has(Capability::time));
+  for (const Capability capability : all_capabilities()) {
+    Capabilities set;
+    EXPECT_FALSE(set.has(capability));
+    set.add(capability);
+    EXPECT_EQ(set, Capabilities{capability});
+    EXPECT_EQ(names_of(set), std::vector{name_of(capability)});
+    set.remove(capability);
+    EXPECT_EQ(set, Capabilities{});
+  }
+  EXPECT_EQ(names_of(two), (std::vector<std::string_view>{"prices", "goal_sets"}));
+}
+
+TEST(OptionTable, EveryRowIsComplete) {
+  std::set<std::string_view> names;
+  for (const CommonOption& option : style_and_common_options()) {
+    SCOPED_TRACE(option.name);
+    EXPECT_TRUE(names.insert(option.name).second);
+    EXPECT_EQ(find_common_option(option.name), &option);
+    EXPECT_TRUE(option.text().starts_with(option.summary));
+    EXPECT_TRUE(option.text().ends_with("; " + option.range()));
+    const auto all = all_capabilities();
+    EXPECT_TRUE(!option.needs || std::find(all.begin(), all.end(), *option.needs) != all.end());
+    EXPECT_EQ(option.is_optional, option.get({.cost = {}}) == "null");
+  }
+  EXPECT_EQ(find_common_option("style"), &style_and_common_options().front());
+  EXPECT_EQ(find_common_option("seed"), &common_options().front());
+  EXPECT_EQ(find_common_option("goal_bias"), nullptr);
+}
+
+TEST(OptionTable, SaysWhatMayBeSet) {
+  const auto text = [](const char* name) { return find_common_option(name)->text(); };
+  EXPECT_EQ(text("seed"), "random seed; 0 to 18446744073709551615");
+  EXPECT_EQ(text("time_limit"), "time limit, wall clock [s]; >= 0 or null");
+  EXPECT_EQ(text("threads"), "number of threads; 1 to 256");
+  EXPECT_EQ(text("gear_change_cost"), "cost of one gear change [m]; 0 to 10000");
+  EXPECT_EQ(text("clearance_distance"), "distance that counts as near [m]; 0.01 to 1000");
+  EXPECT_EQ(text("gears"), "allowed gears; both, forward or reverse");
+}
+
+// A value that some planner cannot take is refused by a planner without that capability, and set
+// by one that has nothing else.
+TEST(OptionTable, AnOptionNeedsItsCapabilityAndNoOther) {
+  for (const CommonOption& option : style_and_common_options()) {
+    const std::string value = option.words.empty() ? "2" : std::string(option.words.back());
+    Planner able{.name = "able", .summary = ""};
+    if (option.needs) able.properties.capabilities = {*option.needs};
+    PlanOptions options;
+    set_option(options, able, option.name, value);
+    EXPECT_TRUE(honours(able, option.name));
+    EXPECT_FALSE(option.equal(options, {})) << option.name;
+    if (!option.needs) continue;
+    Planner unable{.name = "unable", .summary = ""};
+    for (const Capability other : all_capabilities()) {
+      if (other != *option.needs) unable.properties.capabilities.add(other);
+    }
+    EXPECT_FALSE(honours(unable, option.name));
+    const std::string refusal = std::string(option.name) + ": is no option of unable, ";
+    EXPECT_TRUE(message_of([&] { (void)complete(unable, options); }).starts_with(refusal));
+    PlanOptions same;
+    EXPECT_TRUE(
+        message_of([&] { set_option(same, unable, option.name, value); }).starts_with(refusal));
+    EXPECT_EQ(same, PlanOptions{});
+  }
+}
+
+TEST(OptionTable, WhatEveryPlannerDoesMayBeSaid) {
+  const Planner mine{.name = "mine", .summary = ""};
+  PlanOptions options;
+  for (const Setting& setting : std::vector<Setting>{{"threads", "1"},
+                                                     {"target_gap", "null"},
+                                                     {"style", "shortest"},
+                                                     {"cost", "prices"},
+                                                     {"reverse_weight", "1"},
+                                                     {"initial_gear", "any"},
+                                                     {"gears", "both"},
+                                                     {"steering", "reeds-shepp"}}) {
+    set_option(options, mine, setting.name, setting.value);
+  }
+  EXPECT_EQ(complete(mine, options), complete(mine));
+}
+
 // ---- options of one planner ----
+
+TEST(PlannerOptions, ARangeWithoutBoundsIsAny) {
+  constexpr double far = infinity;
+  EXPECT_EQ((OptionInfo{"n", "", whole(1), -far, far}.range()), "any whole number");
+  EXPECT_EQ((OptionInfo{"n", "", whole(1), 2, far}.range()), ">= 2");
+  EXPECT_EQ((OptionInfo{"x", "", 0.5, -far, far}.range()), "any number");
+  EXPECT_EQ((OptionInfo{"x", "", 0.5, -far, 1.5}.range()), "<= 1.5");
+}
 
 TEST(PlannerOptions, EveryOneReadsBackWhatItWrites) {
   for (const Planner& planner : planners()) {
@@ -265,8 +391,10 @@ TEST(Styles, AreSetsOfPrices) {
   set_option(options, planner, "style", "shortest");
   EXPECT_TRUE(is_length(complete(planner, options).cost));
   EXPECT_EQ(options.cost.initial_gear, InitialGear::reverse);
-  EXPECT_EQ(message_of_setting("anytime", "style", "fast"),
-            "style: \"fast\" is not driver or shortest");
+  EXPECT_EQ(
+      message_of_setting("anytime", "style", "fast"),
+      "style: \"fast\" is not shortest or driver, expected: prices and steering where none is "
+      "set, the length's or a driver's; shortest or driver");
   for (const Style style : {Style::shortest, Style::driver}) {
     EXPECT_EQ(style_named(name_of(style)), style);
     EXPECT_EQ(prices_of(style, {}), style == Style::driver ? driver_style : shortest_style);
@@ -320,11 +448,11 @@ TEST(UnsetOptions, ArePricesOfTheStyleThatThePlannerNames) {
     const bool is_default = planner.name == default_planner().name;
     EXPECT_EQ(complete(planner).cost, is_default ? driver_style : shortest_style) << planner.name;
   }
-  Planner mine{.name = "mine", .summary = "", .properties = {.honours_prices = true}};
+  Planner mine{.name = "mine", .summary = "", .properties = {.capabilities = {Capability::prices}}};
   EXPECT_EQ(complete(mine).cost, shortest_style);
   mine.properties.style = Style::driver;
   EXPECT_EQ(complete(mine).cost, driver_style);
-  mine.properties.honours_prices = false;
+  mine.properties.capabilities.remove(Capability::prices);
   EXPECT_EQ(complete(mine).cost, shortest_style);
 }
 
@@ -380,6 +508,26 @@ TEST(SetOption, TheMeasureTakesPricesBack) {
   EXPECT_NE(message_of([&] { (void)complete(planner, both); }), "");
 }
 
+// A style is what holds where nothing else is set, whichever stands first.
+TEST(SetOption, TimeBesideAStyleIsTheFastestDriveInEitherOrder) {
+  const Planner planner = planner_named("anytime");
+  const std::vector<Setting> given = {{"cost", "time"}, {"style", "shortest"}};
+  const std::vector<Setting> turned = {given[1], given[0]};
+  PlanOptions options;
+  PlanOptions others;
+  set_honoured(options, planner, given);
+  set_honoured(others, planner, turned);
+  EXPECT_EQ(options, others);
+  const PlanOptions all = complete(planner, options);
+  EXPECT_EQ(all.cost.measure, CostMeasure::time);
+  EXPECT_EQ(all.steering, Steering::reeds_shepp);
+  set_option(options, planner, "style", "shortest");  // said later, by itself
+  EXPECT_TRUE(is_length(complete(planner, options).cost));
+  EXPECT_LT(setting_order("style"), setting_order("cost"));
+  EXPECT_LT(setting_order("cost"), setting_order("seed"));
+  EXPECT_EQ(setting_order("goal_bias"), setting_order("seed"));
+}
+
 // Gears are no price: neither a style nor the time takes them back.
 TEST(SetOption, GearsHoldBesideStyleAndMeasure) {
   PlanOptions options;
@@ -399,7 +547,7 @@ TEST(SetOption, BothGearsAreWhatEveryPlannerDrives) {
   for (const Planner& planner : planners()) {
     PlanOptions options;
     set_option(options, planner, "gears", "both");
-    EXPECT_EQ(honours(planner, "gears"), planner.properties.honours_gears) << planner.name;
+    EXPECT_EQ(honours(planner, "gears"), planner.can(Capability::gears)) << planner.name;
   }
 }
 

@@ -209,15 +209,19 @@ def test_an_answer_that_is_no_path_is_refused(yard):
 
 def test_in_one_gear_the_pieces_of_a_task_are():
     ground = vp.Scenario((0, 0, 0), (0, 9, 0), bounds=(-90, 90, -90, 90))
-    direct = vp.Planner("direct", lambda task: task.connect(task.start, task.goal), honours_gears=True)
+    direct = vp.Planner("direct", lambda task: task.connect(task.start, task.goal), capabilities=["gears"])
     for gears, sign in (("forward", 1), ("reverse", -1)):
         result = vp.plan(ground, direct, max_iterations=1, gears=gears)
         assert result and all(sign * length >= 0 for length in result.path.segments[:, 1])
-    again = pickle.loads(pickle.dumps(vp.Planner("named", named_direct, honours_gears=True)))
-    assert again.properties["honours_gears"]
+    again = pickle.loads(pickle.dumps(vp.Planner("named", named_direct, capabilities=["gears"])))
+    assert again.properties["capabilities"] == ["gears"] and again.properties["honours_gears"]
+    assert not again.properties["honours_prices"]
     with pytest.raises(vp.InputError, match="gears: is no option of deaf"):
         vp.plan(ground, vp.Planner("deaf", named_direct), max_iterations=1, gears="forward")
     back = vp.Planner("back", lambda task: vp.dubins(task.start, task.goal, 7), honours_gears=True)
+    assert back.properties["capabilities"] == ["gears"]  # in the words of version 0.2.0
+    with pytest.raises(vp.InputError, match="did you mean gears"):
+        vp.Planner("back", lambda task: None, capabilities=["gear"])
     wrong = vp.plan(ground, back, max_iterations=1, gears="reverse")
     assert wrong.status == "rejected" and "the allowed gears are: reverse" in wrong.reason
 

@@ -49,6 +49,10 @@ def test_options_are_those_of_set(yard):
     assert shortest.cost == pytest.approx(shortest.path.length)
     assert shortest.check.clearance >= 0.25
     assert shortest.options["margin"] == 0.25
+    fastest = [{"cost": "time", "style": "shortest"}, {"style": "shortest", "cost": "time"}]
+    rules = [vp.plan(yard, max_iterations=0, **options).options for options in fastest]
+    assert rules[0] == rules[1]
+    assert (rules[0]["cost"], rules[0]["steering"]) == ("time", "reeds-shepp")
     beside = vp.plan(yard, max_iterations=100, reverse_weight=3, style="shortest")
     assert beside.options["reverse_weight"] == 3 and beside.options["gear_change_cost"] == 0
     tree = vp.plan(yard, "rrt-opt-euc", max_iterations=300, goal_bias=0.2)

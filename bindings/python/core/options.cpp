@@ -42,8 +42,9 @@ std::vector<Setting> settings_from(const py::dict& given) {
 
 void set_keywords(PlanOptions& options, const Planner& planner, const RunKeywords& keywords) {
   std::vector<Setting> typed = settings_from(keywords.options);
-  std::stable_partition(typed.begin(), typed.end(),
-                        [](const Setting& setting) { return is_set_first(setting.name); });
+  std::stable_sort(typed.begin(), typed.end(), [](const Setting& a, const Setting& b) {
+    return setting_order(a.name) < setting_order(b.name);
+  });
   for (const auto& [name, value] : typed) set_option(options, planner, name, value);
   if (keywords.time) options.budget.time_limit = keywords.time;
   if (keywords.max_iterations) options.budget.max_iterations = keywords.max_iterations;

@@ -99,20 +99,33 @@ OptionInfo option_from(const std::string& name, const py::handle& given) {
 
 std::shared_ptr<Planner> make_planner(const std::string& name, const py::function& function,
                                       const std::string& summary, const py::dict& options,
-                                      bool honours_prices, bool honours_gears, bool anytime,
+                                      const std::vector<std::string>& capabilities, bool anytime,
                                       bool deterministic) {
   auto planner = std::make_shared<Planner>();
   planner->name = name;
   planner->summary = summary;
-  planner->properties = {.family = name,
-                         .honours_prices = honours_prices,
-                         .honours_gears = honours_gears,
-                         .anytime = anytime,
-                         .deterministic = deterministic};
+  planner->properties = {.family = name, .anytime = anytime, .deterministic = deterministic};
+  for (const std::string& capability : capabilities) {
+    planner->properties.capabilities.add(capability_named(capability));
+  }
   for (const auto& [key, value] : options) {
     planner->options.push_back(option_from(py::str(key), value));
   }
   planner->function = planner_function(function);
+  return planner;
+}
+
+/// A planner as `vandplan.Planner` makes it, also with the keywords of version 0.2.0.
+std::shared_ptr<Planner> planner_from_keywords(const std::string& name,
+                                               const py::function& function,
+                                               const std::string& summary, const py::dict& options,
+                                               const std::vector<std::string>& capabilities,
+                                               bool anytime, bool deterministic,
+                                               bool honours_prices, bool honours_gears) {
+  std::shared_ptr<Planner> planner =
+      make_planner(name, function, summary, options, capabilities, anytime, deterministic);
+  if (honours_prices) planner->properties.capabilities.add(Capability::prices);
+  if (honours_gears) planner->properties.capabilities.add(Capability::gears);
   return planner;
 }
 
@@ -127,15 +140,14 @@ py::dict options_of(const Planner& planner) {
 
 py::dict properties_of(const Planner& planner) {
   const PlannerProperties& p = planner.properties;
-  return py::dict(
-      "family"_a = p.family, "strategy"_a = p.strategy, "estimate"_a = p.estimate,
-      "tries_goal"_a = p.tries_goal, "honours_prices"_a = p.honours_prices,
-      "honours_gears"_a = p.honours_gears, "honours_threads"_a = p.honours_threads,
-      "honours_target_gap"_a = p.honours_target_gap, "honours_steering"_a = p.honours_steering,
-      "honours_time"_a = p.honours_time, "honours_moving"_a = p.honours_moving,
-      "honours_trailers"_a = p.honours_trailers, "honours_goal_sets"_a = p.honours_goal_sets,
-      "honours_steering_of_rigs"_a = p.honours_steering_of_rigs, "anytime"_a = p.anytime,
-      "deterministic"_a = p.deterministic, "groups"_a = p.groups);
+  py::dict properties("family"_a = p.family, "strategy"_a = p.strategy, "estimate"_a = p.estimate,
+                      "tries_goal"_a = p.tries_goal, "capabilities"_a = names_of(p.capabilities),
+                      "anytime"_a = p.anytime, "deterministic"_a = p.deterministic,
+                      "groups"_a = p.groups);
+  for (const Capability capability : all_capabilities()) {  // as version 0.2.0 had them
+    properties[py::str("honours_" + std::string(name_of(capability)))] = planner.can(capability);
+  }
+  return properties;
 }
 
 /// State for pickle: a name, a path of a warm start, or a function with the planner's properties.
@@ -153,8 +165,8 @@ py::tuple planner_state(const Planner& planner) {
     options.append(py::make_tuple(o.name, o.default_value, o.least, o.most, o.words));
   }
   const PlannerProperties& p = planner.properties;
-  return py::make_tuple("own", planner.name, *own->kept, planner.summary, options, p.honours_prices,
-                        p.honours_gears, p.anytime, p.deterministic);
+  return py::make_tuple("own", planner.name, *own->kept, planner.summary, options,
+                        names_of(p.capabilities), p.anytime, p.deterministic);
 }
 
 std::shared_ptr<Planner> planner_of(const py::tuple& state) {
@@ -163,10 +175,10 @@ std::shared_ptr<Planner> planner_of(const py::tuple& state) {
   if (kind == "named") {
     return std::make_shared<Planner>(planner_named(state[1].cast<std::string>()));
   }
-  std::shared_ptr<Planner> planner =
-      make_planner(state[1].cast<std::string>(), state[2].cast<py::function>(),
-                   state[3].cast<std::string>(), py::dict(), state[5].cast<bool>(),
-                   state[6].cast<bool>(), state[7].cast<bool>(), state[8].cast<bool>());
+  std::shared_ptr<Planner> planner = make_planner(
+      state[1].cast<std::string>(), state[2].cast<py::function>(), state[3].cast<std::string>(),
+      py::dict(), state[5].cast<std::vector<std::string>>(), state[6].cast<bool>(),
+      state[7].cast<bool>());
   for (const py::handle item : state[4]) {
     const auto option = py::reinterpret_borrow<py::tuple>(item);
     const auto name = option[0].cast<std::string>();
@@ -195,15 +207,15 @@ PlannerFunction planner_function(const py::function& function) {
 
 std::shared_ptr<const Planner> own_planner(const py::function& function) {
   const std::string name = py::str(py::getattr(function, "__name__", py::str("own")));
-  return make_planner(name, function, "a function of Python", {}, false, false, false, true);
+  return make_planner(name, function, "a function of Python", {}, {}, false, true);
 }
 
 void bind_own_planner(py::module_& module) {
   bind_task(module);
   py::class_<Planner, std::shared_ptr<Planner>>(
       module, "Planner",
-      R"(Planner(name, function, *, summary="", options={}, honours_prices=False, honours_gears=False,
-    anytime=False, deterministic=True)
+      R"(Planner(name, function, *, summary="", options={}, capabilities=(), anytime=False,
+    deterministic=True)
 
 A planner for `plan` and `compare` that calls a Python function.
 
@@ -211,21 +223,25 @@ A planner for `plan` and `compare` that calls a Python function.
   checks every path.
 - `options`: options of the planner. Each name has a default, (default, least, most), or (default,
   [word, ...]).
-- `honours_prices`: whether the planner minimises the cost; otherwise the cost is the length.
-- `honours_gears`: whether the planner accepts `gears`. The pieces of its task then use the allowed
-  gears only, and so must its path.
+- `capabilities`: names of what the planner can do. Other options are refused.
+  - "prices": it minimises the cost; otherwise the cost is the length.
+  - "gears": it accepts `gears`. The pieces of its task then use the allowed gears only, and so must
+    its path.
+  - "steering": it accepts `steering`, which the pieces of its task follow.
+  - "target_gap": its answers have lower bounds.
 - `anytime`, `deterministic`: properties that `properties` reports.)")
-      .def(py::init(&make_planner), "name"_a, "function"_a, py::kw_only(), "summary"_a = "",
-           "options"_a = py::dict(), "honours_prices"_a = false, "honours_gears"_a = false,
-           "anytime"_a = false, "deterministic"_a = true)
+      .def(py::init(&planner_from_keywords), "name"_a, "function"_a, py::kw_only(),
+           "summary"_a = "", "options"_a = py::dict(),
+           "capabilities"_a = std::vector<std::string>(), "anytime"_a = false,
+           "deterministic"_a = true, "honours_prices"_a = false, "honours_gears"_a = false)
       .def_readonly("name", &Planner::name, "Name by which the planner is chosen.")
       .def_readonly("summary", &Planner::summary, "Description in one line.")
       .def_property_readonly(
           "options", &options_of,
           "The planner's own options by name: dicts of default, range and summary.")
       .def_property_readonly("properties", &properties_of,
-                             "Properties of the planner: which options it honours, and whether it "
-                             "is anytime or deterministic.")
+                             "Properties of the planner: what it can do, and whether it is anytime "
+                             "or deterministic.")
       .def("__repr__",
            [](const Planner& self) {
              return fmt::format("<vandplan.Planner {}: {}>", self.name, self.summary);

@@ -5,8 +5,6 @@
 
 #include <pybind11/stl.h>
 
-#include <algorithm>
-
 #include "bindings/python/core/arrays.h"
 #include "bindings/python/core/check.h"
 #include "bindings/python/core/drive.h"
@@ -35,8 +33,7 @@ Settings common_texts(const PlanOptions& options) {
 PlanOptions options_from(const py::handle& settings, const py::handle& own) {
   PlanOptions options;
   for (const auto& [name, text] : settings.cast<Settings>()) {
-    const auto known = std::ranges::find(common_options(), name, &CommonOption::name);
-    if (known != common_options().end()) known->set(options, text);
+    if (const CommonOption* const known = find_common_option(name)) known->set(options, text);
   }
   for (const auto& [name, value] : own.cast<std::map<std::string, OptionValue>>()) {
     options.planner.set(name, value);

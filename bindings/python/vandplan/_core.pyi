@@ -408,10 +408,11 @@ class Planner:
         *,
         summary: str = "",
         options: Mapping[str, _Option | tuple[Any, ...]] = ...,
-        honours_prices: bool = False,
-        honours_gears: bool = False,
+        capabilities: Sequence[str] = (),
         anytime: bool = False,
         deterministic: bool = True,
+        honours_prices: bool = False,
+        honours_gears: bool = False,
     ) -> None: ...
     @property
     def name(self) -> str: ...

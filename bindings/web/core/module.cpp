@@ -46,15 +46,14 @@ PlanOptions options_from(const Planner& planner, const val& given, const Vehicle
   if (given.isUndefined() || given.isNull()) return complete(planner, options, vehicle);
   const val keys = val::global("Object").call<val>("keys", given);
   const auto count = keys["length"].as<std::size_t>();
-  const auto set = [&](const std::string& key) {
-    if (!has(given, key.c_str())) return;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < count; ++i) names.push_back(keys[i].as<std::string>());
+  std::stable_sort(names.begin(), names.end(), [](const std::string& a, const std::string& b) {
+    return setting_order(a) < setting_order(b);
+  });
+  for (const std::string& key : names) {
+    if (!has(given, key.c_str())) continue;
     set_option(options, planner, key, val::global("String")(given[key]).as<std::string>());
-  };
-  for (const bool is_first : {true, false}) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto key = keys[i].as<std::string>();
-      if (is_set_first(key) == is_first) set(key);
-    }
   }
   return complete(planner, options, vehicle);
 }
@@ -341,10 +340,16 @@ val all_planners() {
     object.set("summary", planner.summary);
     object.set("family", planner.properties.family);
     object.set("estimate", planner.properties.estimate);
-    object.set("honours_prices", planner.properties.honours_prices);
-    object.set("honours_gears", planner.properties.honours_gears);
-    object.set("honours_steering", planner.properties.honours_steering);
-    object.set("proves", planner.properties.honours_target_gap);
+    val capabilities = val::array();
+    for (const std::string_view name : names_of(planner.properties.capabilities)) {
+      capabilities.call<void>("push", std::string(name));
+    }
+    object.set("capabilities", capabilities);
+    // As version 0.2.0 had them.
+    object.set("honours_prices", planner.can(Capability::prices));
+    object.set("honours_gears", planner.can(Capability::gears));
+    object.set("honours_steering", planner.can(Capability::steering));
+    object.set("proves", planner.can(Capability::target_gap));
     object.set("options", options_of(planner));
     list.call<void>("push", object);
   }
