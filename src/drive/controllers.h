@@ -18,7 +18,7 @@ namespace vandplan::driving {
 struct Sight {
   const Stroke& stroke;
   const Vehicle& vehicle;
-  const State& state;
+  const MovingState& state;
   Offset offset;  ///< offset of the state's pose from the stroke
   /// Distance before the stroke at which the vehicle began to drive it [m]; >= 0.
   double behind = 0.0;

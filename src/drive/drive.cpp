@@ -171,7 +171,7 @@ class Drive {
  private:
   void tow();
   [[nodiscard]] Command decide();
-  [[nodiscard]] Command command_at(const State& state, const Offset& offset);
+  [[nodiscard]] Command command_at(const MovingState& state, const Offset& offset);
   void execute(const Command& command);
   void correct_estimate();
   void log(const Command& wanted);
@@ -205,8 +205,8 @@ class Drive {
   std::vector<Towing> towing_;     // trailer along each stroke; empty without a trailer
   std::deque<Command> under_way_;  // commands that are decided, but not yet executed
 
-  State state_;    // state with estimated pose and hitch angle
-  RigState real_;  // true pose and hitch angle
+  MovingState state_;  // state with estimated pose and hitch angle
+  RigState real_;      // true pose and hitch angle
   double t_ = 0.0;
 
   std::size_t stroke_ = 0;  // index of the stroke for which commands are decided
@@ -231,7 +231,7 @@ void Drive::tow() {
 
 /// Next command, for the predicted state at the time when the command takes effect.
 Command Drive::decide() {
-  State state = state_;
+  MovingState state = state_;
   for (const Command& command : under_way_) state = after_period(state, command, vehicle_);
   while (!is_done_) {
     const Stroke& stroke = strokes_[stroke_];
@@ -261,7 +261,7 @@ Command Drive::decide() {
   return {state.steering_angle, -1.0, strokes_[stroke_].direction(), stroke_};
 }
 
-Command Drive::command_at(const State& state, const Offset& offset) {
+Command Drive::command_at(const MovingState& state, const Offset& offset) {
   const Towing* const towing = towing_.empty() ? nullptr : &towing_[stroke_];
   const Sight sight{strokes_[stroke_], vehicle_, state, offset, behind_, towing};
   const double wanted = controller_.steering_angle(sight);

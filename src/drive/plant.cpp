@@ -12,14 +12,15 @@ double largest_steering_angle(const Vehicle& vehicle) noexcept {
   return vandplan::steering_angle(vehicle, 1.0 / vehicle.min_turning_radius);
 }
 
-double steering_rate(const State& state, const Command& command, const Vehicle& vehicle) noexcept {
+double steering_rate(const MovingState& state, const Command& command,
+                     const Vehicle& vehicle) noexcept {
   const double most = largest_steering_angle(vehicle);
   const double wanted = std::clamp(command.steering_angle, -most, most);
   const double rate = vehicle.limits.max_steering_rate;
   return std::clamp((wanted - state.steering_angle) / control_period, -rate, rate);
 }
 
-Moved step(State& state, const Command& command, double steering_rate,
+Moved step(MovingState& state, const Command& command, double steering_rate,
            const Vehicle& vehicle) noexcept {
   const DrivingLimits& limits = vehicle.limits;
   const double braking = limits.max_braking.value_or(limits.max_acceleration);
@@ -51,13 +52,14 @@ RigState moved_by(const Vehicle& vehicle, const RigState& from, const Segment& a
   return {advance(from.pose, arc), 0.0};
 }
 
-void move_on(State& state, const Moved& moved, const Vehicle& vehicle) noexcept {
+void move_on(MovingState& state, const Moved& moved, const Vehicle& vehicle) noexcept {
   const RigState there = moved_by(vehicle, {state.pose, state.hitch_angle}, arc_of(moved, vehicle));
   state.pose = there.pose;
   state.hitch_angle = there.hitch_angle;
 }
 
-State after_period(State state, const Command& command, const Vehicle& vehicle) noexcept {
+MovingState after_period(MovingState state, const Command& command,
+                         const Vehicle& vehicle) noexcept {
   const double rate = steering_rate(state, command, vehicle);
   for (int i = 0; i < steps_per_period; ++i) {
     move_on(state, step(state, command, rate, vehicle), vehicle);

@@ -16,7 +16,7 @@ inline constexpr int steps_per_period = 4;
 inline constexpr double step_duration = control_period / steps_per_period;
 
 /// State of a moving vehicle. Pose and hitch angle may be estimates; the rest is known exactly.
-struct State {
+struct MovingState {
   Pose pose = {};
   double hitch_angle = 0.0;     ///< hitch angle of the trailer [rad]
   double v = 0.0;               ///< speed in the current gear, as the wheels roll [m/s]; >= 0
@@ -47,7 +47,7 @@ struct ActuatorError {
 [[nodiscard]] Vehicle with_reserve(Vehicle vehicle, double reserve);
 
 /// Steering rate that reaches the angle of a command within a period, clamped to the limit [rad/s].
-[[nodiscard]] double steering_rate(const State& state, const Command& command,
+[[nodiscard]] double steering_rate(const MovingState& state, const Command& command,
                                    const Vehicle& vehicle) noexcept;
 
 /// Motion during one simulation step.
@@ -58,7 +58,7 @@ struct Moved {
 };
 
 /// Advances speed, gear and steering angle of `state` by `step_duration`; the pose stays.
-[[nodiscard]] Moved step(State& state, const Command& command, double steering_rate,
+[[nodiscard]] Moved step(MovingState& state, const Command& command, double steering_rate,
                          const Vehicle& vehicle) noexcept;
 
 /// Arc of a motion with actuator errors.
@@ -70,10 +70,10 @@ struct Moved {
                                 const Segment& arc) noexcept;
 
 /// Advances pose and hitch angle of `state` by a motion without actuator errors.
-void move_on(State& state, const Moved& moved, const Vehicle& vehicle) noexcept;
+void move_on(MovingState& state, const Moved& moved, const Vehicle& vehicle) noexcept;
 
 /// State after one control period without actuator errors.
-[[nodiscard]] State after_period(State state, const Command& command,
-                                 const Vehicle& vehicle) noexcept;
+[[nodiscard]] MovingState after_period(MovingState state, const Command& command,
+                                       const Vehicle& vehicle) noexcept;
 
 }  // namespace vandplan::driving

@@ -39,8 +39,8 @@ struct Station {
   const Stop* stop = nullptr;  // stop of the fastest drive at the station, or null
 };
 
-/// State of the search.
-struct State {
+/// A state of the search.
+struct SearchState {
   std::size_t station = 0;
   double square = 0.0;  // square of the speed [m^2/s^2]
   double t = 0.0;       // time since the start of the drive [s]
@@ -157,7 +157,7 @@ class YieldingSearch {
       if (looked_ % states_between_questions == 0 && is_interrupted(traffic)) break;
       const std::int32_t i = queue_.top().state;
       queue_.pop();
-      const State state = states_[static_cast<std::size_t>(i)];
+      const SearchState state = states_[static_cast<std::size_t>(i)];
       if (!seen_.insert(key_of(state)).second) continue;
       ++looked_;
       if (state.station + 1 == stations_.size()) return i;
@@ -174,8 +174,8 @@ class YieldingSearch {
   [[nodiscard]] const std::vector<Station>& stations() const noexcept { return stations_; }
 
   /// States of the drive that ends in state `last`, from its start on.
-  [[nodiscard]] std::vector<State> chain(std::int32_t last) const {
-    std::vector<State> states;
+  [[nodiscard]] std::vector<SearchState> chain(std::int32_t last) const {
+    std::vector<SearchState> states;
     for (std::int32_t i = last; i >= 0; i = states_[static_cast<std::size_t>(i)].parent) {
       states.push_back(states_[static_cast<std::size_t>(i)]);
     }
@@ -184,7 +184,7 @@ class YieldingSearch {
   }
 
  private:
-  void expand(const State& from, std::int32_t index) {
+  void expand(const SearchState& from, std::int32_t index) {
     const Station& here = stations_[from.station];
     if (from.square == 0.0) wait(from, index);
     const Station& next = stations_[from.station + 1];
@@ -201,20 +201,20 @@ class YieldingSearch {
     if (least != even) go(from, index, least);
   }
 
-  void wait(const State& from, std::int32_t index) {
+  void wait(const SearchState& from, std::int32_t index) {
     if (from.t > latest_) return;
-    State to = from;
+    SearchState to = from;
     to.t += time_step;
     to.parent = index;
     if (is_standing_free(from.station, from.t, to.t)) push(to, to.t - from.t);
   }
 
-  void go(const State& from, std::int32_t index, double square) {
+  void go(const SearchState& from, std::int32_t index, double square) {
     const Station& next = stations_[from.station + 1];
     const double speeds = std::sqrt(from.square) + std::sqrt(square);
     if (speeds == 0.0) return;
     const double way = next.s - stations_[from.station].s;
-    State to{from.station + 1, square, from.t + 2 * way / speeds, from.cost, index};
+    SearchState to{from.station + 1, square, from.t + 2 * way / speeds, from.cost, index};
     if (!occupied_.is_free(from.station, from.t, to.t)) return;
     const bool is_end = to.station + 1 == stations_.size();
     if (is_end && !occupied_.is_free_from(from.station, to.t)) return;
@@ -233,7 +233,7 @@ class YieldingSearch {
     return before || occupied_.is_free(station, begin, end);
   }
 
-  void push(State state, double cost) {
+  void push(SearchState state, double cost) {
     state.cost += cost;
     const double arrival = arrivals_.earliest(state.station, state.t);
     if (!(arrival <= longest_) || arrival == endless) return;
@@ -245,7 +245,7 @@ class YieldingSearch {
 
   /// Key of a state; states with the same key are duplicates. Standing differs from the slowest
   /// speeds.
-  [[nodiscard]] static std::uint64_t key_of(const State& state) {
+  [[nodiscard]] static std::uint64_t key_of(const SearchState& state) {
     const double speed = state.square > 0.0 ? 1.0 + std::sqrt(state.square) / speed_step : 0.0;
     const double time = state.t / time_step;
     return static_cast<std::uint64_t>(state.station) << 44 |
@@ -259,7 +259,7 @@ class YieldingSearch {
   double latest_;       // last time at which the search begins to wait [s]
   double longest_;      // longest duration of a drive [s]
   double greed_;        // weight of the estimated time to the end
-  std::vector<State> states_;
+  std::vector<SearchState> states_;
   std::priority_queue<Candidate> queue_;
   std::unordered_set<std::uint64_t> seen_;
   std::int64_t looked_ = 0;
@@ -271,11 +271,11 @@ class Writer {
   Writer(const std::vector<Station>& stations, const Path& path)
       : stations_(stations), way_(path) {}
 
-  [[nodiscard]] SpeedProfile written(const std::vector<State>& states) {
+  [[nodiscard]] SpeedProfile written(const std::vector<SearchState>& states) {
     stand(states.front(), stations_.front().pause);
     for (std::size_t i = 1; i < states.size(); ++i) {
-      const State& from = states[i - 1];
-      const State& to = states[i];
+      const SearchState& from = states[i - 1];
+      const SearchState& to = states[i];
       if (from.station == to.station) {
         stand(to, to.t - from.t);
       } else {
@@ -288,7 +288,7 @@ class Writer {
   }
 
  private:
-  void drive(const State& from, const State& to) {
+  void drive(const SearchState& from, const SearchState& to) {
     const Station& here = stations_[from.station];
     const Station& next = stations_[to.station];
     const double way = next.s - here.s;
@@ -303,7 +303,7 @@ class Writer {
     if (!is_end && next.stop != nullptr) stand(to, next.pause);
   }
 
-  void stand(const State& state, double pause) {
+  void stand(const SearchState& state, double pause) {
     const Station& here = stations_[state.station];
     std::vector<Stop>& stops = profile_.stops;
     const bool has_stopped = !stops.empty() && stops.back().s == here.s;

@@ -198,7 +198,7 @@ class LiveDrive {
 
   /// Next command, for the predicted state at the time when the command takes effect.
   [[nodiscard]] Command decide() {
-    State state = state_;
+    MovingState state = state_;
     for (const Command& command : under_way_) state = after_period(state, command, vehicle_);
     const double when = t_ + static_cast<double>(under_way_.size() + 1) * control_period -
                         replanner_.answer().begin;
@@ -308,7 +308,7 @@ class LiveDrive {
   std::shared_ptr<const TimedPath> drive_;
   std::vector<Stroke> strokes_;    // strokes of the drive, in the world's frame
   std::deque<Command> under_way_;  // commands that are decided, but not yet executed
-  State state_;                    // state with the estimated pose
+  MovingState state_;              // state with the estimated pose
   Pose pose_;                      // true pose, in the world's frame
   Offset offset_;
   double place_ = 0.0;  // place along the drive [m]

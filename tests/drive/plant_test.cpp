@@ -19,26 +19,26 @@ Vehicle truck() {
 }
 
 TEST(Plant, GainsAndLosesSpeedNoFasterThanItCan) {
-  const State moving{.v = 1.0};
+  const MovingState moving{.v = 1.0};
   EXPECT_NEAR(after_period(moving, {.acceleration = 5.0}, truck()).v, 1.02, 1e-12);
   EXPECT_NEAR(after_period(moving, {.acceleration = -5.0}, truck()).v, 1 - 0.014, 1e-12);
   EXPECT_NEAR(after_period(moving, {.acceleration = 0.5}, truck()).v, 1.01, 1e-12);
 }
 
 TEST(Plant, DrivesAsFarAsItsSpeedsSay) {
-  const State after = after_period({.v = 1.0}, {.acceleration = 0.5}, truck());
+  const MovingState after = after_period({.v = 1.0}, {.acceleration = 0.5}, truck());
   EXPECT_NEAR(after.pose.x, 0.02 + 0.5 * 0.02 * 0.02 / 2, 1e-12);
 }
 
 TEST(Plant, ComesToStandWithinAPeriodAndStays) {
-  const State after = after_period({.v = 0.007}, {.acceleration = -0.7}, truck());
+  const MovingState after = after_period({.v = 0.007}, {.acceleration = -0.7}, truck());
   EXPECT_EQ(after.v, 0);
   EXPECT_NEAR(after.pose.x, 0.007 * 0.007 / 1.4, 1e-12);
 }
 
 TEST(Plant, TheGearChangesAtStandstillOnly) {
   const Command back{.acceleration = 1.0, .direction = -1};
-  State state = after_period({.v = 0.05}, back, truck());
+  MovingState state = after_period({.v = 0.05}, back, truck());
   EXPECT_NEAR(state.v, 0.05 - 0.014, 1e-12);
   EXPECT_EQ(state.direction, 1);
   EXPECT_GT(state.pose.x, 0);
@@ -52,7 +52,8 @@ TEST(Plant, TheWheelsReachWhatIsWantedAtTheEndOfThePeriod) {
   EXPECT_NEAR(after_period({}, {.steering_angle = 0.004}, truck()).steering_angle, 0.004, 1e-15);
   EXPECT_NEAR(after_period({}, {.steering_angle = -1}, truck()).steering_angle, -0.01, 1e-15);
   const double full = std::atan(4.5 / 7);
-  const State at_the_stop = after_period({.steering_angle = full}, {.steering_angle = 1}, truck());
+  const MovingState at_the_stop =
+      after_period({.steering_angle = full}, {.steering_angle = 1}, truck());
   EXPECT_NEAR(at_the_stop.steering_angle, full, 1e-15);
 }
 
