@@ -136,12 +136,12 @@ NamedEstimate estimate_of(const std::string& name, double radius) {
   const TableSource source = table_source(name);
   const HeuristicTable table = table_from_bytes(source.bytes, source.name);
   return {fmt::format("{} ({})", source.name, heading_step_text(table.options())),
-          [table, radius](const RigState& node, const RigState& sample) {
+          [table, radius](const State& node, const State& sample) {
             return table.distance(node.pose, sample.pose, radius);
           }};
 }
 
-double euclid(const RigState& node, const RigState& sample) {
+double euclid(const State& node, const State& sample) {
   return std::hypot(node.pose.x - sample.pose.x, node.pose.y - sample.pose.y);
 }
 
@@ -153,7 +153,7 @@ AccuracyStudy study_of(const AccuracyArguments& arguments) {
   }
   // Not drawn (false): too near to the exact length to be seen beside other estimates.
   estimates.push_back({"lower bound",
-                       [radius](const RigState& node, const RigState& sample) {
+                       [radius](const State& node, const State& sample) {
                          return length_bounds(node.pose, sample.pose, radius).low;
                        },
                        false});
@@ -175,16 +175,16 @@ AccuracyStudy study_of_trailer(const TrailerArguments& arguments) {
   }
   const double radius = options.turning_radius = options.rig->min_turning_radius;
   const RigTable table(*options.rig, {.reach = options.reach});
-  return study_accuracy(
-      options, {{"Euclid", euclid},
-                estimate_of("hlut-4", radius),
-                {"Reeds-Shepp of the tractor",
-                 [radius](const RigState& node, const RigState& sample) {
-                   return reeds_shepp_length(node.pose, sample.pose, radius);
-                 }},
-                {"table of the rig", [&table](const RigState& node, const RigState& sample) {
-                   return table.distance(node, sample);
-                 }}});
+  return study_accuracy(options,
+                        {{"Euclid", euclid},
+                         estimate_of("hlut-4", radius),
+                         {"Reeds-Shepp of the tractor",
+                          [radius](const State& node, const State& sample) {
+                            return reeds_shepp_length(node.pose, sample.pose, radius);
+                          }},
+                         {"table of the rig", [&table](const State& node, const State& sample) {
+                            return table.distance(node, sample);
+                          }}});
 }
 
 void add_trailer_accuracy(CLI::App& studies) {

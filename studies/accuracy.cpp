@@ -22,7 +22,7 @@ constexpr double pi = std::numbers::pi;
 
 /// Two states and the exact length between them [m].
 struct Case {
-  RigState node, sample;
+  State node, sample;
   double length;
 };
 
@@ -33,7 +33,7 @@ class Exact {
     if (options.rig) rig_.emplace(*options.rig);
   }
 
-  [[nodiscard]] std::optional<double> length(const RigState& node, const RigState& sample) const {
+  [[nodiscard]] std::optional<double> length(const State& node, const State& sample) const {
     if (!rig_) return reeds_shepp_length(node.pose, sample.pose, radius_);
     const std::optional<Piece> piece = rig_->steer(node, sample);
     return piece ? std::optional(piece->length) : std::nullopt;
@@ -57,8 +57,8 @@ std::vector<Case> random_cases(const AccuracyOptions& options) {
   cases.reserve(static_cast<std::size_t>(options.pairs));
   while (cases.size() < static_cast<std::size_t>(options.pairs)) {
     const Pose at{0.0, 0.0, uniform(-pi, pi, rng)};
-    const RigState node{uniform_pose({-reach, reach, -reach, reach}, rng), hitch_angle()};
-    const RigState sample{at, hitch_angle()};
+    const State node{uniform_pose({-reach, reach, -reach, reach}, rng), hitch_angle()};
+    const State sample{at, hitch_angle()};
     const std::optional<double> length = exact.length(node, sample);
     if (length && *length > 0.0) cases.push_back({node, sample, *length});
   }

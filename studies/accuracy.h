@@ -31,7 +31,7 @@ struct AccuracyOptions {
 /// Estimate of the length from a node to a sample [m]; hitch angles are 0 without a rig.
 struct NamedEstimate {
   std::string name;
-  std::function<double(const RigState& node, const RigState& sample)> length;
+  std::function<double(const State& node, const State& sample)> length;
   bool is_drawn = true;
 };
 

@@ -25,12 +25,12 @@ Vehicle semitrailer() {
 }
 
 struct StatePair {
-  RigState from, to;
+  State from, to;
 };
 
 std::vector<StatePair> pairs_within(double reach) {
   Rng rng(1);
-  const auto any = [&]() -> RigState {
+  const auto any = [&]() -> State {
     return {{uniform(0, reach, rng), uniform(0, reach, rng),
              uniform(-std::numbers::pi, std::numbers::pi, rng)},
             uniform(-1.2, 1.2, rng)};
@@ -71,7 +71,7 @@ CollisionChecker checker_of(const Vehicle& vehicle) {
 }
 
 struct Arc {
-  RigState from;
+  State from;
   Segment segment;
 };
 

@@ -18,8 +18,6 @@
 
 namespace vandplan {
 
-struct RigState;  // rig.h
-
 namespace collision {
 struct Ground;
 }
@@ -99,16 +97,15 @@ class CollisionChecker {
 
   /// Whether vehicle and trailer are free in that state; the vehicle alone if it has no trailer.
   /// The hitch angle is not limited here, and the bounds do not hold for the trailer.
-  [[nodiscard]] bool rig_is_free(const Local<RigState>& state) const noexcept;
+  [[nodiscard]] bool rig_is_free(const Local<State>& state) const noexcept;
 
   /// Whether all ground that vehicle and trailer sweep from `from` along the segment is free, both
   /// ends included.
-  [[nodiscard]] bool rig_is_free(const Local<RigState>& from,
-                                 const Segment& segment) const noexcept;
+  [[nodiscard]] bool rig_is_free(const Local<State>& from, const Segment& segment) const noexcept;
 
   /// Whether all ground that vehicle and trailer sweep from `from` along the segments, one after
   /// the other, is free.
-  [[nodiscard]] bool rig_is_free(const Local<RigState>& from,
+  [[nodiscard]] bool rig_is_free(const Local<State>& from,
                                  std::span<const Segment> segments) const noexcept;
 
   /// Least distance of the body from obstacles and blocked cells, and of the wheels from kerbs, but
@@ -123,7 +120,7 @@ class CollisionChecker {
   /// Least distance of vehicle and trailer from obstacles and blocked cells, and of their wheels
   /// from kerbs [m]. `most` and `enough` are those of `clearance`.
   [[nodiscard]] double rig_clearance(
-      const Local<RigState>& state, double most,
+      const Local<State>& state, double most,
       double enough = std::numeric_limits<double>::infinity()) const noexcept;
 
   /// Whether a blocked cell of the map is at most `distance` from the point [m]. False without a

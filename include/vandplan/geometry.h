@@ -6,6 +6,7 @@
 // Units are metres and radians. Headings count counter-clockwise from the x axis. A value does not
 // know its frame: the function or field that holds it names the frame (docs/conventions.md).
 
+#include <concepts>
 #include <span>
 #include <utility>
 #include <vector>
@@ -29,11 +30,16 @@ struct Pose {
 
 /// A value in the frame of a world, in which checkers and planners work. A `Local<T>` converts to a
 /// `T`. A `T` becomes local by name only, `Local(pose)`, and keeps its numbers. `to_local`
-/// (problem.h) moves a pose from the scenario's frame to the world's.
+/// (problem.h) moves a pose from the scenario's frame to the world's. Where a `U` converts to a
+/// `T`, a `Local<U>` converts to a `Local<T>`.
 template <class T>
 struct Local : T {
   Local() = default;
   constexpr explicit Local(T value) noexcept : T(std::move(value)) {}
+  template <class U>
+  requires std::convertible_to<U, T>
+  constexpr Local(const Local<U>& other) noexcept  // NOLINT(google-explicit-constructor)
+      : T(static_cast<const U&>(other)) {}
 };
 
 /// A pose in the frame of a world.

@@ -13,17 +13,12 @@
 
 namespace vandplan {
 
-/// State of a tractor with a trailer: the pose of the tractor and the hitch angle.
-struct RigState {
-  Pose pose = {};            ///< pose of the tractor, at the midpoint of its rear axle
-  double hitch_angle = 0.0;  ///< heading of the tractor - heading of the trailer [rad]
-  bool operator==(const RigState&) const = default;
-};
+using RigState [[deprecated("write State")]] = State;
 
 /// Pose of the trailer at the midpoint of its axle, in the frame of `state.pose`; heading in
 /// [-pi, pi). Throws InputError naming "vehicle.trailers" if there is no trailer, as
 /// `tractor_pose`, `hitch_rate` and `largest_hitch_angle` do.
-[[nodiscard]] Pose trailer_pose(const Vehicle& vehicle, const RigState& state);
+[[nodiscard]] Pose trailer_pose(const Vehicle& vehicle, const State& state);
 
 /// Pose of the tractor when the midpoint of its trailer's axle is at `trailer`, in the frame of
 /// `trailer`; heading in [-pi, pi). `hitch_angle` is the tractor's heading less the trailer's
@@ -45,8 +40,13 @@ struct RigState {
 
 /// State after driving the segment, in the frame of `state`. The hitch angle is in [-pi, pi).
 /// Without a trailer it is the one in `state`, wrapped.
-[[nodiscard]] RigState advance(const Vehicle& vehicle, const RigState& state,
-                               const Segment& segment) noexcept;
+[[nodiscard]] State advance(const Vehicle& vehicle, const State& state,
+                            const Segment& segment) noexcept;
+/// State after driving the segment from a state in the world's frame, in that frame.
+[[nodiscard]] inline LocalState advance(const Vehicle& vehicle, const LocalState& state,
+                                        const Segment& segment) noexcept {
+  return Local(advance(vehicle, static_cast<const State&>(state), segment));
+}
 
 /// Hitch angles [rad] at the points that `sampled(path, step)` gives, one for each point.
 /// `start_angle` is the hitch angle at the start of the path [rad], `step` the largest distance of

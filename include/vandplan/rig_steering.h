@@ -52,23 +52,23 @@ class RigSteering {
   /// The shortest path that the search finds, or none if it finds none. Equal states give a path
   /// without segments. Throws InputError naming "from" or "to" if a number is not finite or the
   /// hitch angle is beyond the limit.
-  [[nodiscard]] std::optional<Piece> steer(const RigState& from, const RigState& to) const;
+  [[nodiscard]] std::optional<Piece> steer(const State& from, const State& to) const;
 
   /// The path of least cost that the search finds; none if that is above the cutoff. Throws
   /// InputError naming "from", "to", "reverse_weight", "gear_change_cost" or "cutoff" if a number
   /// is out of range.
-  [[nodiscard]] std::optional<Piece> steer(const RigState& from, const RigState& to,
+  [[nodiscard]] std::optional<Piece> steer(const State& from, const State& to,
                                            const RigPrices& prices) const;
 
   /// The shortest path of the few words that are most useful between such states; none if none of
   /// these words leads there. It is for callers who ask often and drop most paths. Throws
   /// InputError naming "from" or "to" if a number is not finite or the hitch angle is beyond the
   /// limit.
-  [[nodiscard]] std::optional<Piece> steer_quickly(const RigState& from, const RigState& to) const;
+  [[nodiscard]] std::optional<Piece> steer_quickly(const State& from, const State& to) const;
 
   /// All paths that the search finds up to the cutoff, the cheapest first. Throws InputError as
   /// `steer` with prices does.
-  [[nodiscard]] std::vector<Piece> candidates(const RigState& from, const RigState& to,
+  [[nodiscard]] std::vector<Piece> candidates(const State& from, const State& to,
                                               const RigPrices& prices) const;
 
   /// The turning radius of the tractor [m].

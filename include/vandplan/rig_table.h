@@ -39,7 +39,7 @@ class RigTable {
   /// cells, rounded to `unit()`. Beyond the table it is the length of the last cell on the way
   /// there, plus the straight line from there. It is infinite where steering found no path. The
   /// hitch angles must be within the limit.
-  [[nodiscard]] double distance(const RigState& from, const RigState& to) const noexcept;
+  [[nodiscard]] double distance(const State& from, const State& to) const noexcept;
 
   /// A state as the table sees it. States that are looked up often are converted once.
   struct Place {
@@ -48,7 +48,7 @@ class RigTable {
     int hitch_angle;  ///< cell of the hitch angle
   };
   /// The state as the table sees it.
-  [[nodiscard]] Place place_of(const RigState& state) const noexcept;
+  [[nodiscard]] Place place_of(const State& state) const noexcept;
   /// Approximate length from one place to another, as `distance` gives it [m].
   [[nodiscard]] double look_up(const Place& from, const Place& to) const noexcept;
 
@@ -94,7 +94,6 @@ class RigTable {
 /// Lower bound of the length of every path from one state to another [m], from the table of bounds.
 /// It is the larger of the bounds for the tractor by itself and for the trailer. Throws InputError
 /// naming "vehicle.trailers" without a trailer.
-[[nodiscard]] double rig_length_bound(const Vehicle& vehicle, const RigState& from,
-                                      const RigState& to);
+[[nodiscard]] double rig_length_bound(const Vehicle& vehicle, const State& from, const State& to);
 
 }  // namespace vandplan

@@ -19,10 +19,6 @@
 #include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
 
-namespace vandplan {
-struct RigState;  // rig.h
-}
-
 namespace vandplan::search {
 
 // ---- How long may it go on? ----
@@ -194,8 +190,7 @@ using Looks [[deprecated("use ClearanceSampling")]] = ClearanceSampling;
 /// Surcharge near obstacles for driving the segments from a state of the rig [m]; for the vehicle
 /// alone if it has no trailer. Above `cutoff` [m] any larger number may come back.
 [[nodiscard]] double rig_clearance_cost(const Task& task, const CostRule& rule,
-                                        const Local<RigState>& from,
-                                        std::span<const Segment> segments,
+                                        const Local<State>& from, std::span<const Segment> segments,
                                         ClearanceSampling sampling,
                                         double cutoff = std::numeric_limits<double>::infinity());
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which lengths and limits describe the vehicle, and where is its footprint?
+// Which lengths and limits describe the vehicle, how does it stand, and where is its footprint?
 
 #include <array>
 #include <optional>
@@ -51,6 +51,21 @@ struct Vehicle {
   Polygon outline = {};
   bool operator==(const Vehicle&) const = default;
 };
+
+/// How a vehicle stands, with its trailer if it pulls one. A pose alone is the state with the
+/// trailer straight behind. Without a trailer the hitch angle means nothing.
+struct State {
+  Pose pose;           ///< pose of the vehicle, at the midpoint of its rear axle
+  double hitch_angle;  ///< heading of the vehicle - heading of its trailer [rad]
+
+  // NOLINTNEXTLINE(google-explicit-constructor)
+  constexpr State(const Pose& at = {}, double angle = 0.0) noexcept
+      : pose(at), hitch_angle(angle) {}
+  bool operator==(const State&) const = default;
+};
+
+/// A state in the frame of a world.
+using LocalState = Local<State>;
 
 /// Whether two vehicles are equal apart from their driving limits.
 [[nodiscard]] bool same_lengths(const Vehicle& a, Vehicle b);

@@ -363,16 +363,16 @@ bool CollisionChecker::is_free(const LocalPose& from,
   return true;
 }
 
-bool CollisionChecker::rig_is_free(const Local<RigState>& state) const noexcept {
+bool CollisionChecker::rig_is_free(const Local<State>& state) const noexcept {
   return rig_is_free(state, Segment{});
 }
 
-bool CollisionChecker::rig_is_free(const Local<RigState>& from,
+bool CollisionChecker::rig_is_free(const Local<State>& from,
                                    const Segment& segment) const noexcept {
   return rig_is_free(from, std::span<const Segment>(&segment, 1));
 }
 
-bool CollisionChecker::rig_is_free(const Local<RigState>& from,
+bool CollisionChecker::rig_is_free(const Local<State>& from,
                                    std::span<const Segment> segments) const noexcept {
   if (!is_free(Local(from.pose), segments)) return false;
   if (!data_->towed) return true;
@@ -395,7 +395,7 @@ double CollisionChecker::clearance(const LocalPose& pose, double most,
   return data_->clearance(data_->body, placement_of(pose), most, enough);
 }
 
-double CollisionChecker::rig_clearance(const Local<RigState>& state, double most,
+double CollisionChecker::rig_clearance(const Local<State>& state, double most,
                                        double enough) const noexcept {
   const double of_tractor = clearance(Local(state.pose), most, enough);
   if (!data_->towed || of_tractor == 0.0) return of_tractor;

@@ -114,7 +114,7 @@ std::vector<Actor> actors_of(const Film& film, double step, double count) {
     const auto motion = motion_at(*drawing.path, scenario.vehicle, *drawing.speeds, i * step);
     vehicle.poses.emplace_back(local(motion.pose));
     if (!has_trailer) continue;
-    const RigState state{motion.pose, hitch_angle_at(scenario, *drawing.path, motion.s)};
+    const State state{motion.pose, hitch_angle_at(scenario, *drawing.path, motion.s)};
     trailer.poses.emplace_back(local(trailer_pose(scenario.vehicle, state)));
   }
   if (has_trailer) actors.push_back(std::move(trailer));

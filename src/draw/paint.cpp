@@ -248,7 +248,7 @@ void paint_gear_change(cairo_t* cairo, const Point& place) {
 namespace {
 
 // Paints the vehicle, with its trailer if any.
-void paint_rig(cairo_t* cairo, const Scene& scene, const RigState& state, const Colour& colour,
+void paint_rig(cairo_t* cairo, const Scene& scene, const State& state, const Colour& colour,
                const View& view) {
   if (scene.vehicle.trailer) {
     const Pose trailer = trailer_pose(scene.vehicle, state);
@@ -268,7 +268,7 @@ void paint_goal_set(cairo_t* cairo, const Scene& scene, const View& view) {
     cairo_fill_preserve(cairo);
     stroke(cairo, 1.0, colour::goal, 0.8);
   }
-  for (const RigState& goal : scene.goals) {
+  for (const State& goal : scene.goals) {
     if (scene.vehicle.trailer) {
       add_polygon(cairo, view,
                   placed(body_outline(*scene.vehicle.trailer), trailer_pose(scene.vehicle, goal)));

@@ -85,14 +85,14 @@ Polygon area_of(const GoalRegion& region) {
 }
 
 /// Some goals of a region, with headings spread over its range.
-std::vector<RigState> goals_of(const Vehicle& vehicle, const GoalRegion& region) {
+std::vector<State> goals_of(const Vehicle& vehicle, const GoalRegion& region) {
   const auto& [least, most] = region.hitch_angle;
-  RigState middle{some_pose(region), 0.5 * (least + most)};
+  State middle{some_pose(region), 0.5 * (least + most)};
   if (region.is_of_trailer) middle.pose = tractor_pose(vehicle, middle.pose, middle.hitch_angle);
   constexpr double apart = std::numbers::pi / 4;
   const double turns = width(region.heading);
   const int steps = static_cast<int>(std::ceil(turns / apart));
-  std::vector<RigState> goals;
+  std::vector<State> goals;
   for (int i = 0; i <= steps; ++i) {
     const double turn = steps == 0 ? 0.0 : turns * i / steps - 0.5 * turns;
     for (const double turned : {0.0, std::numbers::pi}) {
@@ -115,7 +115,7 @@ Bounds surroundings_of_path(const Scene& scene) {
   const auto add_trailer = [&, &body = trailer](const Pose& pose) { add(body, pose); };
   add_vehicle(scene.start);
   add_vehicle(scene.goal);
-  for (const RigState& goal : scene.goals) add_vehicle(goal.pose);
+  for (const State& goal : scene.goals) add_vehicle(goal.pose);
   for (const Polygon& area : scene.goal_areas)
     points.insert(points.end(), area.begin(), area.end());
   if (scene.vehicle.trailer) {
@@ -161,8 +161,8 @@ std::vector<Polygon> things_in(const Scene& scene) {
 }
 
 /// State at the end of a scene's path.
-RigState end_of(const Scene& scene) {
-  RigState state{scene.path->start, scene.hitch_angles.start};
+State end_of(const Scene& scene) {
+  State state{scene.path->start, scene.hitch_angles.start};
   for (const Segment& segment : scene.path->segments) {
     state = advance(scene.vehicle, state, segment);
   }
@@ -205,7 +205,7 @@ Scene scene_of(const Drawing& drawing) {
   scene.hitch_angles = scenario.hitch_angles;
   for (const GoalRegion& region : scenario.goal_set) {
     if (Polygon area = area_of(region); !area.empty()) scene.goal_areas.push_back(std::move(area));
-    for (RigState goal : goals_of(scenario.vehicle, region)) {
+    for (State goal : goals_of(scenario.vehicle, region)) {
       goal.pose = moved(goal.pose, scene.origin, "goal");
       scene.goals.push_back(goal);
     }
@@ -219,7 +219,7 @@ Scene scene_of(const Drawing& drawing) {
   if (scene.map) scene.map->origin = moved(scene.map->origin, scene.origin, "map.origin");
   if (drawing.path) scene.path = moved(*drawing.path, scene.origin);
   if (!scene.goals.empty()) {
-    const RigState goal = scene.path ? end_of(scene) : scene.goals.front();
+    const State goal = scene.path ? end_of(scene) : scene.goals.front();
     scene.goal = goal.pose;
     scene.hitch_angles.goal = goal.hitch_angle;
   }
@@ -254,7 +254,7 @@ Polygon placed(const Polygon& outline, const Pose& pose) {
 std::vector<Stroke> strokes_of(const Scene& scene, double step) {
   const bool has_trailer = scene.vehicle.trailer.has_value();
   std::vector<Stroke> strokes;
-  RigState state{scene.path->start, scene.hitch_angles.start};
+  State state{scene.path->start, scene.hitch_angles.start};
   for (const Segment& segment : scene.path->segments) {
     if (segment.length == 0.0) continue;
     const int direction = segment.length > 0.0 ? 1 : -1;

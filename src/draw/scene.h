@@ -26,7 +26,7 @@ struct Scene {
   Pose goal;
   EndHitchAngles hitch_angles;      ///< Used if the vehicle has a trailer.
   std::vector<Polygon> goal_areas;  ///< Areas of a goal set where the midpoint of an axle may be.
-  std::vector<RigState> goals;      ///< Some poses of a goal set; empty if `goal` is the only goal.
+  std::vector<State> goals;         ///< Some poses of a goal set; empty if `goal` is the only goal.
   std::vector<Polygon> obstacles;
   std::vector<Polygon> kerbs;
   std::vector<Polygon> inside;  ///< Areas that the body must stay inside.

@@ -99,7 +99,7 @@ class Errors {
   }
 
   /// Adds the errors of the trailer at `state`, which should be at `planned`.
-  void add_trailer(const RigState& planned, const RigState& state, double way) {
+  void add_trailer(const State& planned, const State& state, double way) {
     const Pose beside = relative(trailer_pose(vehicle_, planned), trailer_pose(vehicle_, state));
     outline_ = std::max(outline_, deviation_of(trailer_, beside));
     largest_trailer_ = std::max(largest_trailer_, std::abs(beside.y));
@@ -179,7 +179,7 @@ class Drive {
   void finish();
 
   /// Planned state after `s` metres of the stroke that is executed.
-  [[nodiscard]] RigState planned(double s) const {
+  [[nodiscard]] State planned(double s) const {
     const Stroke& stroke = strokes_[real_stroke_];
     const double there = std::clamp(s, 0.0, stroke.length());
     return {stroke.at(there).pose, towing_[real_stroke_].hitch_angle_at(there)};
@@ -206,7 +206,7 @@ class Drive {
   std::deque<Command> under_way_;  // commands that are decided, but not yet executed
 
   MovingState state_;  // state with estimated pose and hitch angle
-  RigState real_;      // true pose and hitch angle
+  State real_;         // true pose and hitch angle
   double t_ = 0.0;
 
   std::size_t stroke_ = 0;  // index of the stroke for which commands are decided
@@ -281,7 +281,7 @@ void Drive::execute(const Command& command) {
     if (moved.length == 0.0) continue;
     move_on(state_, moved, vehicle_);
     const Segment arc = arc_of(moved, vehicle_, error_);
-    const RigState from = real_;
+    const State from = real_;
     real_ = moved_by(vehicle_, from, arc);
     const double way = std::abs(arc.length);
     offset_ = stroke.offset_of(real_.pose, offset_.place.s + way);
@@ -361,7 +361,7 @@ void Drive::finish() {
   result_.end_distance = std::sqrt(end.x * end.x + end.y * end.y);
   result_.end_heading = std::abs(end.heading);
   if (!result_.trailer) return;
-  const RigState wanted{last.end(), towing_.back().hitch_angle_at(last.length())};
+  const State wanted{last.end(), towing_.back().hitch_angle_at(last.length())};
   const Pose behind = relative(trailer_pose(vehicle_, wanted), trailer_pose(vehicle_, real_));
   result_.trailer->end_distance = std::sqrt(behind.x * behind.x + behind.y * behind.y);
   result_.trailer->end_heading = std::abs(behind.heading);

@@ -66,10 +66,10 @@ Execution executed(const Problem& problem, const Path& path, const std::vector<M
   const double rate = relaxed * vehicle.limits.max_steering_rate;
   Watch watch(problem);
   Execution result{.passes = true, .reason = too_sharp(path, vehicle)};
-  RigState state{to_local(*problem.world(), path.start), problem.hitch_angles().start};
-  RigState wanted = state;  // planned state at the end
+  State state{to_local(*problem.world(), path.start), problem.hitch_angles().start};
+  State wanted = state;  // planned state at the end
   for (const Segment& segment : path.segments) wanted = moved_by(vehicle, wanted, segment);
-  const auto look = [&](const Segment& arc, const RigState& to) {
+  const auto look = [&](const Segment& arc, const State& to) {
     const auto what = watch.look(state, arc, to);
     if (what && result.reason.empty()) {
       result.reason = text("after %.2f s %s", result.duration, what->c_str());
@@ -88,7 +88,7 @@ Execution executed(const Problem& problem, const Path& path, const std::vector<M
     const auto [sin, cos] = base::sin_cos(wheels + turned / 2);
     const double way = next.s - now.s;
     const Segment arc{sin / cos / vehicle.wheelbase, way > 0.0 ? now.direction * way : 0.0};
-    const RigState to = moved_by(vehicle, state, arc);
+    const State to = moved_by(vehicle, state, arc);
     result.duration += next.t - now.t;
     wheels += turned;
     if (way > 0.0) look(arc, to);

@@ -66,8 +66,8 @@ struct Moved {
                              const ActuatorError& error = {}) noexcept;
 
 /// State of vehicle and trailer after an arc; the hitch angle is 0 without a trailer.
-[[nodiscard]] RigState moved_by(const Vehicle& vehicle, const RigState& from,
-                                const Segment& arc) noexcept;
+[[nodiscard]] State moved_by(const Vehicle& vehicle, const State& from,
+                             const Segment& arc) noexcept;
 
 /// Advances pose and hitch angle of `state` by a motion without actuator errors.
 void move_on(MovingState& state, const Moved& moved, const Vehicle& vehicle) noexcept;

@@ -71,7 +71,7 @@ Towing::Towing(const Stroke& stroke, const Vehicle& vehicle, double hitch_angle)
     : vehicle_(vehicle), direction_(stroke.direction()) {
   const double count = std::max(std::ceil(stroke.length() / longest_step), 1.0);
   size_ = std::max(stroke.length() / count, 1e-9);
-  RigState state{stroke.at(0).pose, hitch_angle};
+  State state{stroke.at(0).pose, hitch_angle};
   for (double i = 0; i < count; ++i) {
     const double middle = stroke.curvature_at((i + 0.5) * size_);
     steps_.push_back({{middle, direction_ * size_}, state.hitch_angle, {}});

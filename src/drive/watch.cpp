@@ -75,7 +75,7 @@ double Watch::most_moved(const Segment& arc) const noexcept {
   return std::max(vehicle, hitch * (1 + trailer_reach_ / vehicle_.trailer->wheelbase));
 }
 
-void Watch::look_at(const RigState& state) {
+void Watch::look_at(const State& state) {
   constexpr double further = 2.0;  // distance beyond the least clearance that is searched [m]
   const double most = std::isinf(least_) ? 1e3 : least_ + further;
   const double clearance = checker_->rig_clearance(Local(state), most);
@@ -84,8 +84,7 @@ void Watch::look_at(const RigState& state) {
   nothing_ = std::isinf(least_) ? clearance : clearance - least_;
 }
 
-std::optional<std::string> Watch::look(const RigState& from, const Segment& arc,
-                                       const RigState& to) {
+std::optional<std::string> Watch::look(const State& from, const Segment& arc, const State& to) {
   constexpr double rounding = 1e-6;  // rounding error of a hitch angle [rad]
   outside_ = std::max(outside_, distance_outside(bounds_, to.pose));
   if (has_touched_) return std::nullopt;
@@ -111,7 +110,7 @@ std::optional<std::string> Watch::look(const RigState& from, const Segment& arc,
 }
 
 /// Reason why the judge rejects an arc; empty if it accepts it.
-std::string Watch::touched(const RigState& from, const Segment& arc, const RigState& to) const {
+std::string Watch::touched(const State& from, const Segment& arc, const State& to) const {
   const Path path{from.pose, {arc}};
   const Problem problem = make_problem(world_, vehicle_, from.pose, end_pose(path), {},
                                        {from.hitch_angle, to.hitch_angle});

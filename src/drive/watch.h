@@ -26,7 +26,7 @@ class Watch {
   /// Checks an arc that is driven from `from` to `to`. Returns the contact if this is the first
   /// one, such as "the footprint hits obstacles[3]". A hitch angle beyond its limit counts as a
   /// contact.
-  std::optional<std::string> look(const RigState& from, const Segment& arc, const RigState& to);
+  std::optional<std::string> look(const State& from, const Segment& arc, const State& to);
 
   /// Least clearance at the poses so far [m]; 0 after a contact, infinite without obstacles.
   [[nodiscard]] double clearance() const noexcept { return least_; }
@@ -34,10 +34,9 @@ class Watch {
   [[nodiscard]] double out_of_bounds() const noexcept { return outside_; }
 
  private:
-  void look_at(const RigState& state);
+  void look_at(const State& state);
   [[nodiscard]] double most_moved(const Segment& arc) const noexcept;
-  [[nodiscard]] std::string touched(const RigState& from, const Segment& arc,
-                                    const RigState& to) const;
+  [[nodiscard]] std::string touched(const State& from, const Segment& arc, const State& to) const;
 
   std::shared_ptr<const World> world_;  // world with bounds that the vehicle cannot reach
   std::shared_ptr<const CollisionChecker> checker_;

@@ -40,11 +40,11 @@ GrownTree::GrownTree(const Task& task, const PlanOptions& options, Estimate esti
   places_.push_back(rig_table_->place_of(state(0)));
 }
 
-RigState GrownTree::state(NodeId node) const {
+State GrownTree::state(NodeId node) const {
   return {tree_.pose(node), rig_ ? hitch_angles_[static_cast<std::size_t>(node)] : 0.0};
 }
 
-const std::vector<Candidate>& GrownTree::first(std::size_t count, const RigState& sample) {
+const std::vector<Candidate>& GrownTree::first(std::size_t count, const State& sample) {
   ranking_time_.start();
   if (rig_table_) rank_by_table(sample);
   const std::vector<Candidate>& candidates =
@@ -53,7 +53,7 @@ const std::vector<Candidate>& GrownTree::first(std::size_t count, const RigState
   return candidates;
 }
 
-void GrownTree::rank_by_table(const RigState& sample) {
+void GrownTree::rank_by_table(const State& sample) {
   const RigTable::Place to = rig_table_->place_of(sample);
   lengths_.clear();
   for (const RigTable::Place& from : places_) {
@@ -61,7 +61,7 @@ void GrownTree::rank_by_table(const RigState& sample) {
   }
 }
 
-std::optional<Adoption> GrownTree::try_edge(NodeId node, const RigState& to, double cutoff) {
+std::optional<Adoption> GrownTree::try_edge(NodeId node, const State& to, double cutoff) {
   if (rig_) return try_rig_edge(node, to, cutoff);
   const auto edge =
       edge_between(connector_, tree_.pose(node), Local(to.pose), tree_.cost_to_come(node), cutoff);
@@ -70,7 +70,7 @@ std::optional<Adoption> GrownTree::try_edge(NodeId node, const RigState& to, dou
 }
 
 // Steers without a cutoff, because `keep_way` steers the edge again and must find the same piece.
-std::optional<Adoption> GrownTree::try_rig_edge(NodeId node, const RigState& to, double cutoff) {
+std::optional<Adoption> GrownTree::try_rig_edge(NodeId node, const State& to, double cutoff) {
   rig_steering_time_.start();
   ++rig_solves_;
   const std::optional<Piece> piece = rig_->steer(state(node), to);
@@ -86,7 +86,7 @@ std::optional<Adoption> GrownTree::try_rig_edge(NodeId node, const RigState& to,
   return Adoption{node, cost};
 }
 
-NodeId GrownTree::add(const RigState& state, const Adoption& adoption) {
+NodeId GrownTree::add(const State& state, const Adoption& adoption) {
   const NodeId added = tree_.add(Local(state.pose), adoption.parent, adoption.cost_to_come);
   if (rig_) hitch_angles_.push_back(state.hitch_angle);
   if (rig_table_) places_.push_back(rig_table_->place_of(state));
@@ -96,7 +96,7 @@ NodeId GrownTree::add(const RigState& state, const Adoption& adoption) {
 
 bool GrownTree::keep_way(const Adoption& to_goal) {
   if (!rig_) return true;
-  std::vector<RigState> states = {goal()};
+  std::vector<State> states = {goal()};
   for (NodeId node = to_goal.parent; node >= 0; node = tree_.parent(node)) {
     states.push_back(state(node));
   }

@@ -32,19 +32,19 @@ class GrownTree {
             search::RankBy by);
 
   /// The first `count` nodes in the ranking for a sample; valid until the next call.
-  const std::vector<search::Candidate>& first(std::size_t count, const RigState& sample);
+  const std::vector<search::Candidate>& first(std::size_t count, const State& sample);
   /// The edge from a node to a state. None if it is not free, or the state's cost-to-come is not
   /// below `cutoff` [m].
-  std::optional<Adoption> try_edge(search::NodeId node, const RigState& to,
+  std::optional<Adoption> try_edge(search::NodeId node, const State& to,
                                    double cutoff = std::numeric_limits<double>::infinity());
   /// Adds a state as a node below its parent.
-  search::NodeId add(const RigState& state, const Adoption& adoption);
+  search::NodeId add(const State& state, const Adoption& adoption);
   /// Keeps the way over an edge to the goal. False if the way cannot be driven, which only happens
   /// with a trailer: in reverse, rounding errors grow from edge to edge. So the way is bent until
   /// it ends exactly at the goal, and checked again.
   bool keep_way(const Adoption& to_goal);
   /// State at the goal of the task.
-  [[nodiscard]] RigState goal() const { return {task_.goal, task_.hitch_angles.goal}; }
+  [[nodiscard]] State goal() const { return {task_.goal, task_.hitch_angles.goal}; }
   [[nodiscard]] bool is_full() const { return tree_.size() >= max_nodes_; }
   [[nodiscard]] const search::Tree& nodes() const { return tree_; }
 
@@ -55,9 +55,9 @@ class GrownTree {
               PlannerAnswer& answer);
 
  private:
-  void rank_by_table(const RigState& sample);
-  std::optional<Adoption> try_rig_edge(search::NodeId node, const RigState& to, double cutoff);
-  [[nodiscard]] RigState state(search::NodeId node) const;
+  void rank_by_table(const State& sample);
+  std::optional<Adoption> try_rig_edge(search::NodeId node, const State& to, double cutoff);
+  [[nodiscard]] State state(search::NodeId node) const;
 
   const Task& task_;
   std::size_t max_nodes_;

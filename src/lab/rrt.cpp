@@ -19,7 +19,7 @@ RankBy rank_by(Strategy strategy) {
 }
 
 // Steps [3] and [4]: finds a parent for a sample; none if no edge that was tried is free.
-std::optional<Adoption> adopt(GrownTree& tree, const RigState& sample, std::size_t max_parents) {
+std::optional<Adoption> adopt(GrownTree& tree, const State& sample, std::size_t max_parents) {
   std::optional<Adoption> best;
   for (const Candidate& candidate : tree.first(max_parents, sample)) {
     if (best && best->cost_to_come <= static_cast<double>(candidate.rank)) break;

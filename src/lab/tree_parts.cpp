@@ -23,7 +23,7 @@ Sampler::Sampler(const Task& task, const PlanOptions& options)
 
 Sample Sampler::next(const Bounds& box) {
   if (uniform01(rng_) < goal_bias_) return {goal_, true};
-  RigState state{uniform_pose(box, rng_)};
+  State state{uniform_pose(box, rng_)};
   if (most_hitch_angle_ > 0.0) {
     const double share = uniform(-1.0, 1.0, rng_);
     state.hitch_angle = most_hitch_angle_ * share * share * share;

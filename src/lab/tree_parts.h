@@ -18,7 +18,7 @@ namespace vandplan::planning {
 
 /// A random state to reach, or the goal; its hitch angle is 0 without a trailer.
 struct Sample {
-  RigState state;
+  State state;
   bool is_goal;
 };
 
@@ -37,7 +37,7 @@ class Sampler {
   [[nodiscard]] Rng& rng() { return rng_; }
 
  private:
-  RigState goal_;
+  State goal_;
   double most_hitch_angle_;  // limit of hitch angles [rad]; 0 without a trailer
   Bounds region_;
   double goal_bias_;

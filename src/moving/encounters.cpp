@@ -103,7 +103,7 @@ Encounters::Encounters(const Course& course, std::span<const MovingObstacle> mov
   for (const MovingObstacle& obstacle : moving) movers_.push_back(mover_of(obstacle));
 }
 
-RigState Encounters::state_at(double s) const {
+State Encounters::state_at(double s) const {
   const Pose pose = way_.at(s, true).pose;
   if (!trailer_) return {pose, 0.0};
   const auto later = std::ranges::upper_bound(begins_, s, {}, &Begin::s);
@@ -141,8 +141,7 @@ Encounters::Mover Encounters::mover_of(const MovingObstacle& obstacle) {
   return mover;
 }
 
-double Encounters::gap(std::size_t i, const RigState& state, double t,
-                       double enough) const noexcept {
+double Encounters::gap(std::size_t i, const State& state, double t, double enough) const noexcept {
   const double least = gap(movers_[i], body_, state.pose, t, enough);
   if (!trailer_) return least;
   return std::min(least, gap(movers_[i], *trailer_, trailer_pose(vehicle_, state), t, enough));
@@ -163,7 +162,7 @@ double Encounters::gap(const Mover& mover, const Body& body, const Pose& pose, d
   return std::sqrt(squared_gap(body.box, body.corners, obstacle.outline, frame)) - kept;
 }
 
-double Encounters::depth(std::size_t i, const RigState& state, double t) const noexcept {
+double Encounters::depth(std::size_t i, const State& state, double t) const noexcept {
   const Mover& mover = movers_[i];
   const MovingObstacle& obstacle = *mover.obstacle;
   const Pose there = *vandplan::pose_at(obstacle, t);

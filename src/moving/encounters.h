@@ -34,17 +34,17 @@ class Encounters {
   [[nodiscard]] std::size_t size() const noexcept { return movers_.size(); }
   [[nodiscard]] double length() const noexcept { return begins_.back().s; }
   /// State of the vehicle after `s` metres of the path; the hitch angle is 0 without a trailer.
-  [[nodiscard]] RigState state_at(double s) const;
+  [[nodiscard]] State state_at(double s) const;
 
   /// Distance of vehicle and trailer from obstacle `i` at time `t`, less the margin and the growth
   /// of the outline [m]. At most 0: they meet. If the distance is `enough` or more, any number
   /// between `enough` and the distance may come back. The obstacle must not have left by `t`.
-  [[nodiscard]] double gap(std::size_t i, const RigState& state, double t,
+  [[nodiscard]] double gap(std::size_t i, const State& state, double t,
                            double enough) const noexcept;
 
   /// Lower bound of the distance that vehicle or obstacle has to move until `gap` is above 0 [m].
   /// At most 0: unknown.
-  [[nodiscard]] double depth(std::size_t i, const RigState& state, double t) const noexcept;
+  [[nodiscard]] double depth(std::size_t i, const State& state, double t) const noexcept;
 
   /// Measure of the path: no point of the vehicle or its trailer moves further than it grows [m].
   [[nodiscard]] double driven(double s) const noexcept;

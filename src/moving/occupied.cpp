@@ -53,7 +53,7 @@ void Occupied::add(const Box& box) {
   const double moved = std::max(then - encounters_.moved(obstacle, span.begin),
                                 encounters_.moved(obstacle, span.end) - then);
   // 2. The box is free, or surely occupied, or too small to halve.
-  const RigState state = encounters_.state_at(place);
+  const State state = encounters_.state_at(place);
   const double most = driven + moved;
   if (encounters_.gap(obstacle, state, time, most * (1.0 + 1e-9) + 1e-9) > most) return;
   const bool is_fine = most <= 2 * limits_.finest && last - first == 1;

@@ -13,7 +13,7 @@ namespace vandplan::in_time {
 
 std::string proof_of_none(const Task& task, double margin) {
   const auto [first_angle, last_angle] = task.hitch_angles;
-  const RigState start{task.start, first_angle}, goal{task.goal, last_angle};
+  const State start{task.start, first_angle}, goal{task.goal, last_angle};
   const Path none{task.start, {}};
   constexpr double any = std::numeric_limits<double>::infinity();
   const moving::Encounters encounters({none, task.vehicle}, task.moving, margin);

@@ -82,8 +82,8 @@ std::optional<Task> task_around(const Task& task, std::span<const Ghost> ghosts,
     Task around = task_of(problem, clearance, task.steering);
     const CollisionChecker& checker = *around.checker;
     const auto [first, last] = task.hitch_angles;
-    if (checker.rig_is_free(Local(RigState{task.start, first})) &&
-        checker.rig_is_free(Local(RigState{task.goal, last}))) {
+    if (checker.rig_is_free(Local(State{task.start, first})) &&
+        checker.rig_is_free(Local(State{task.goal, last}))) {
       return around;
     }
   } catch (const InputError&) {

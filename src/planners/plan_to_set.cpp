@@ -144,7 +144,7 @@ class SetRun {
 
   /// The goal at a point; none if the vehicle cannot stand there.
   [[nodiscard]] std::optional<Candidate> candidate_at(const GoalPoint& point) const {
-    const Local<RigState> state = state_of(task_, point);
+    const Local<State> state = state_of(task_, point);
     Candidate goal{.point = point,
                    .task = problem::task_to(alone_, state, task_.goal_set[point.region].curvature,
                                             options_.clearance)};

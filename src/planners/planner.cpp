@@ -24,12 +24,12 @@ constexpr double rounding = 1e-12;  // relative rounding of a sum of lengths
 std::optional<PlannerAnswer> settled(const Task& task) {
   PlannerAnswer answer;
   const auto [first_angle, last_angle] = task.hitch_angles;
-  if (!task.checker->rig_is_free(Local(RigState{task.start, first_angle}))) {
+  if (!task.checker->rig_is_free(Local(State{task.start, first_angle}))) {
     answer.status = PlanStatus::start_in_collision;
     return answer;
   }
   if (!task.goal_set.empty()) return std::nullopt;
-  if (!task.checker->rig_is_free(Local(RigState{task.goal, last_angle}))) {
+  if (!task.checker->rig_is_free(Local(State{task.goal, last_angle}))) {
     answer.status = PlanStatus::goal_in_collision;
     return answer;
   }

@@ -23,7 +23,7 @@ struct Refusal {
 };
 
 /// Reason of the judge why a state is not free, or that planning asks for a little more margin.
-Refusal refusal_at(const Problem& problem, const RigState& state, const ClearanceOptions& options) {
+Refusal refusal_at(const Problem& problem, const State& state, const ClearanceOptions& options) {
   const auto& [pose, angle] = state;
   const Problem there =
       make_problem(problem.world(), problem.vehicle(), pose, pose, {}, {angle, angle});

@@ -179,7 +179,7 @@ void expect_finite(const Path& path) {
 /// the end of the path.
 Problem to_end_of(const Problem& problem, const Path& path) {
   if (problem.goal_set().empty() || !problem.task().moving.empty()) return problem;
-  RigState end{path.start, problem.hitch_angles().start};
+  State end{path.start, problem.hitch_angles().start};
   for (const Segment& segment : path.segments) end = advance(problem.vehicle(), end, segment);
   const std::optional<ReachedGoal> goal = check_path(problem, path).goal;
   const double curvature = goal ? problem.goal_set()[goal->index].curvature : 0.0;

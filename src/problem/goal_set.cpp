@@ -99,18 +99,18 @@ std::vector<GoalRegion> local_goal_set(const std::vector<GoalRegion>& set, const
   return local;
 }
 
-RigState state_at(const Vehicle& vehicle, const GoalRegion& region, const Pose& axle,
-                  double hitch_angle) {
+State state_at(const Vehicle& vehicle, const GoalRegion& region, const Pose& axle,
+               double hitch_angle) {
   return {region.is_of_trailer ? tractor_pose(vehicle, axle, hitch_angle) : axle, hitch_angle};
 }
 
-RigState some_goal(const Vehicle& vehicle, const GoalRegion& region) {
+State some_goal(const Vehicle& vehicle, const GoalRegion& region) {
   return state_at(vehicle, region, some_pose(region), middle_of(region.hitch_angle));
 }
 
-Task task_to(const Task& task, const Local<RigState>& goal, double curvature,
+Task task_to(const Task& task, const Local<State>& goal, double curvature,
              const ClearanceOptions& options) {
-  const RigState& state = goal;
+  const State& state = goal;
   Task to = task;
   to.goal = Local(state.pose);
   to.curvatures.goal = curvature;

@@ -20,15 +20,15 @@ void check_goal_set(const std::vector<GoalRegion>& set, const Vehicle& vehicle, 
 
 /// State of the vehicle whose axle is at `axle`: the trailer's axle if the region is of the
 /// trailer, otherwise the rear axle.
-[[nodiscard]] RigState state_at(const Vehicle& vehicle, const GoalRegion& region, const Pose& axle,
-                                double hitch_angle);
+[[nodiscard]] State state_at(const Vehicle& vehicle, const GoalRegion& region, const Pose& axle,
+                             double hitch_angle);
 
 /// A state of the region: the middle of all intervals, or the first corner of the area.
-[[nodiscard]] RigState some_goal(const Vehicle& vehicle, const GoalRegion& region);
+[[nodiscard]] State some_goal(const Vehicle& vehicle, const GoalRegion& region);
 
 /// A task without a set of goals, with another goal: a state and a curvature [1/m]. With a ramp in
 /// `options`, its checker has ramps at the start and at the new goal.
-[[nodiscard]] Task task_to(const Task& task, const Local<RigState>& goal, double curvature,
+[[nodiscard]] Task task_to(const Task& task, const Local<State>& goal, double curvature,
                            const ClearanceOptions& options);
 
 /// Moves the goal by 1 nm if start and goal are the same pose with different curvatures, and the

@@ -78,12 +78,12 @@ std::string rounded(double metres) { return base::shortest_text(std::round(metre
 
 }  // namespace
 
-std::optional<CellHit> map_hit(const Problem& problem, const RigState& state) {
+std::optional<CellHit> map_hit(const Problem& problem, const State& state) {
   const World& world = *problem.world();
   const std::optional<OccupancyGrid>& map = world.local().map;
   if (!map) return std::nullopt;
   const Vehicle& vehicle = problem.vehicle();
-  const RigState local{to_local(world, state.pose), state.hitch_angle};
+  const State local{to_local(world, state.pose), state.hitch_angle};
   const double largest = 1e8;  // distance from the map [cells]; cell numbers are 32-bit
   const Point axle = in_cells({{0, 0}}, local.pose, *map).front();
   if (!(std::abs(axle.x) < largest && std::abs(axle.y) < largest)) return std::nullopt;

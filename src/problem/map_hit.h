@@ -20,6 +20,6 @@ struct CellHit {
 
 /// The blocked cell under the vehicle or its trailer whose middle is nearest to the rear axle.
 /// `state` is in the scenario's frame. None if the vehicle hits no cell.
-[[nodiscard]] std::optional<CellHit> map_hit(const Problem& problem, const RigState& state);
+[[nodiscard]] std::optional<CellHit> map_hit(const Problem& problem, const State& state);
 
 }  // namespace vandplan::problem

@@ -205,7 +205,7 @@ Problem with_poses(const Problem& problem, const Pose& start, const Pose& goal) 
 Problem with_goal_set(const Problem& problem, const std::vector<GoalRegion>& set) {
   expect_made(problem);
   problem::check_goal_set(set, problem.vehicle(), problem.start());
-  const RigState some = problem::some_goal(problem.vehicle(), set.front());
+  const State some = problem::some_goal(problem.vehicle(), set.front());
   Problem other = problem;
   other.goal_ = some.pose;
   other.goal_set_ = set;
@@ -238,8 +238,8 @@ void problem::keep_margin(Task& task, const ClearanceOptions& options) {
   if (options.margin == 0.0) return;
   Margin margin{.wanted = options.margin};
   if (options.margin_ramp > 0.0) {
-    for (const auto& state : {Local(RigState{task.start, task.hitch_angles.start}),
-                              Local(RigState{task.goal, task.hitch_angles.goal})}) {
+    for (const auto& state : {Local(State{task.start, task.hitch_angles.start}),
+                              Local(State{task.goal, task.hitch_angles.goal})}) {
       const Pose& pose = state.pose;
       const double clearance = task.checker->rig_clearance(state, options.margin);
       if (clearance == 0.0 || clearance >= options.margin) continue;

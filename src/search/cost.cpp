@@ -39,7 +39,7 @@ double reach_of(const Vehicle& vehicle) {
 /// Vehicle, with its trailer if any, on a segment where clearances are sampled.
 struct SampledSegment {
   const Task& task;
-  const RigState& from;
+  const State& from;
   const Segment& segment;
 
   [[nodiscard]] double clearance(double driven, double most, double enough) const {
@@ -280,11 +280,11 @@ double drive_cost(const CostRule& rule, std::span<const Segment> segments) {
 double clearance_cost(const Task& task, const CostRule& rule, const LocalPose& from,
                       std::span<const Segment> segments, ClearanceSampling sampling,
                       double cutoff) {
-  return rig_clearance_cost(task, rule, Local(RigState{from, task.hitch_angles.start}), segments,
+  return rig_clearance_cost(task, rule, Local(State{from, task.hitch_angles.start}), segments,
                             sampling, cutoff);
 }
 
-double rig_clearance_cost(const Task& task, const CostRule& rule, const Local<RigState>& from,
+double rig_clearance_cost(const Task& task, const CostRule& rule, const Local<State>& from,
                           std::span<const Segment> segments, ClearanceSampling sampling,
                           double cutoff) {
   if (rule.clearance_weight == 0.0) return 0.0;
@@ -292,7 +292,7 @@ double rig_clearance_cost(const Task& task, const CostRule& rule, const Local<Ri
   const double whole = length(segments);
   const SamplingSteps steps{distance / samples_of_search, whole / max_samples_of_search_at_path};
   double sum = 0.0;
-  RigState state = from;
+  State state = from;
   for (const Segment& segment : segments) {
     if (segment.length == 0.0) continue;
     if (sum > cutoff) break;

@@ -41,7 +41,7 @@ std::array<double, 3> shape_of(const Vehicle& vehicle) {
   return {wheelbase / radius, vehicle.hitch / radius, half_tangent(most)};
 }
 
-void check_state(const char* where, const RigState& state, double most) {
+void check_state(const char* where, const State& state, double most) {
   const Pose& pose = state.pose;
   if (!std::isfinite(pose.x) || !std::isfinite(pose.y) || !std::isfinite(pose.heading)) {
     throw InputError(where, "must be finite");
@@ -61,8 +61,8 @@ void check_prices(const RigPrices& prices) {
 }
 
 /// Two states in their mean frame, at unit radius.
-RigEnds ends_of(const RigState& from, const RigState& to, double radius, double most) {
-  const auto u = [&](const RigState& state) {
+RigEnds ends_of(const State& from, const State& to, double radius, double most) {
+  const auto u = [&](const State& state) {
     return std::clamp(half_tangent(state.hitch_angle), -most, most);
   };
   return {mean_frame(from.pose, to.pose, radius), u(from), u(to)};
@@ -98,11 +98,11 @@ RigSteering::RigSteering(const Vehicle& vehicle)
       max_hitch_angle_(vehicle.max_hitch_angle),
       shape_(shape_of(vehicle)) {}
 
-std::optional<Piece> RigSteering::steer(const RigState& from, const RigState& to) const {
+std::optional<Piece> RigSteering::steer(const State& from, const State& to) const {
   return steer(from, to, {});
 }
 
-std::optional<Piece> RigSteering::steer(const RigState& from, const RigState& to,
+std::optional<Piece> RigSteering::steer(const State& from, const State& to,
                                         const RigPrices& prices) const {
   check_state("from", from, max_hitch_angle_);
   check_state("to", to, max_hitch_angle_);
@@ -114,7 +114,7 @@ std::optional<Piece> RigSteering::steer(const RigState& from, const RigState& to
   return scaled(*piece, radius_);
 }
 
-std::optional<Piece> RigSteering::steer_quickly(const RigState& from, const RigState& to) const {
+std::optional<Piece> RigSteering::steer_quickly(const State& from, const State& to) const {
   check_state("from", from, max_hitch_angle_);
   check_state("to", to, max_hitch_angle_);
   const RigWordSolver solver(HitchTurn(shape_[0], shape_[1], shape_[2]));
@@ -123,7 +123,7 @@ std::optional<Piece> RigSteering::steer_quickly(const RigState& from, const RigS
   return scaled(*piece, radius_);
 }
 
-std::vector<Piece> RigSteering::candidates(const RigState& from, const RigState& to,
+std::vector<Piece> RigSteering::candidates(const State& from, const State& to,
                                            const RigPrices& prices) const {
   check_state("from", from, max_hitch_angle_);
   check_state("to", to, max_hitch_angle_);

@@ -20,7 +20,7 @@ RigTable embedded_rig_table(const Vehicle& vehicle) {
       .scaled(vehicle.min_turning_radius / made_for.min_turning_radius);
 }
 
-double rig_length_bound(const Vehicle& vehicle, const RigState& from, const RigState& to) {
+double rig_length_bound(const Vehicle& vehicle, const State& from, const State& to) {
   if (!vehicle.trailer) throw InputError("vehicle.trailers", "are missing, expected one");
   const double of_tractor = length_bounds(from.pose, to.pose, vehicle.min_turning_radius).low;
   const vehicle::TrailerAlone trailer = vehicle::trailer_alone(vehicle);

@@ -105,12 +105,12 @@ int RigTable::hitch_index(double angle) const noexcept {
   return best;
 }
 
-RigTable::Place RigTable::place_of(const RigState& state) const noexcept {
+RigTable::Place RigTable::place_of(const State& state) const noexcept {
   const auto [sin, cos] = base::sin_cos(state.pose.heading);
   return {state.pose, sin, cos, hitch_index(state.hitch_angle)};
 }
 
-double RigTable::distance(const RigState& from, const RigState& to) const noexcept {
+double RigTable::distance(const State& from, const State& to) const noexcept {
   return look_up(place_of(from), place_of(to));
 }
 

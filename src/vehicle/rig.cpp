@@ -30,7 +30,7 @@ Pose moved_ahead(const Pose& pose, double distance) noexcept {
 
 }  // namespace
 
-Pose trailer_pose(const Vehicle& vehicle, const RigState& state) {
+Pose trailer_pose(const Vehicle& vehicle, const State& state) {
   Pose pose = moved_ahead(state.pose, vehicle.hitch);
   pose.heading = wrap_angle(pose.heading - state.hitch_angle);
   return moved_ahead(pose, -trailer_of(vehicle).wheelbase);
@@ -52,7 +52,7 @@ double hitch_angle_after(const Vehicle& vehicle, double hitch_angle,
   return hitch_angle + vehicle::hitch_change(coupling_of(vehicle), hitch_angle, segment);
 }
 
-RigState advance(const Vehicle& vehicle, const RigState& state, const Segment& segment) noexcept {
+State advance(const Vehicle& vehicle, const State& state, const Segment& segment) noexcept {
   return {advance(state.pose, segment),
           wrap_angle(hitch_angle_after(vehicle, state.hitch_angle, segment))};
 }

@@ -29,7 +29,7 @@ Vehicle rig() {
 Problem problem_of_rig(const Path& path, double hitch_angle, Surroundings things = {},
                        const Vehicle& vehicle = rig()) {
   things.bounds = wide_bounds;
-  RigState end{path.start, hitch_angle};
+  State end{path.start, hitch_angle};
   for (const Segment& segment : path.segments) end = advance(vehicle, end, segment);
   return make_problem(world_of(things), vehicle, path.start, end.pose, {},
                       {hitch_angle, end.hitch_angle});
@@ -167,7 +167,7 @@ TEST(Towing, ARigThatFoldsUpTooFarTouchesItself) {
   Vehicle vehicle = rig();
   vehicle.max_hitch_angle = 0.5;
   const Path round{{0, 0, 0}, {{0.12, 15}}};
-  RigState state{round.start, 0.0};
+  State state{round.start, 0.0};
   double folded = 0.0;  // after so many metres
   while (state.hitch_angle <= vehicle.max_hitch_angle) {
     state = advance(vehicle, state, {0.12, 0.001});
@@ -178,7 +178,7 @@ TEST(Towing, ARigThatFoldsUpTooFarTouchesItself) {
   const Path first{round.start, {{0.12, folded - 0.01}}};
   EXPECT_FALSE(drive(problem_of_rig(first, 0.0, {}, vehicle), first).contact);
   const Path more{round.start, {{0.12, folded + 3}, {-0.12, 7}}};
-  RigState end{more.start, 0.0};
+  State end{more.start, 0.0};
   for (const Segment& segment : more.segments) end = advance(vehicle, end, segment);
   const Problem problem = make_problem(world_of({.bounds = wide_bounds}), vehicle, more.start,
                                        end.pose, {}, {0.0, end.hitch_angle});
@@ -194,7 +194,7 @@ TEST(Towing, ALessHitchAngleThanAllowedKeepsFromFoldingUp) {
   Vehicle vehicle = rig();
   const Path path = bends_there_and_back;
   double most = 0.0;
-  RigState state{path.start, 0.0};
+  State state{path.start, 0.0};
   for (const Segment& segment : path.segments) {
     most = std::max(most, largest_hitch_angle(vehicle, state.hitch_angle, segment));
     state = advance(vehicle, state, segment);
@@ -224,7 +224,7 @@ TEST(Watch, OverlooksNothingThatATrailerTouches) {
   int touched = 0;
   for_each_case(11, 2000, [&](Rng& rng) {
     std::vector<Polygon> boxes;
-    const RigState start{{0, 0, 0}, uniform(-1.2, 1.2, rng)};
+    const State start{{0, 0, 0}, uniform(-1.2, 1.2, rng)};
     const Pose rear = compose(trailer_pose(vehicle, start), {-10, 0, 0});
     for (int i = 0; i < 3; ++i) {
       const double x = rear.x + uniform(-5, 5, rng);
@@ -234,12 +234,12 @@ TEST(Watch, OverlooksNothingThatATrailerTouches) {
     const Path none{{0, 0, 0}, {}};
     const Problem problem = problem_of_rig(none, 0.0, {.obstacles = boxes}, vehicle);
     driving::Watch watch(problem);
-    RigState state = start;
+    State state = start;
     bool has_said = watch.look(state, {}, state).has_value();
     for (int i = 0; i < 400; ++i) {
       const double curvature = uniform(-0.1, 0.1, rng) / vehicle.min_turning_radius;
       const Segment arc{curvature, (i % 100 < 50 ? 1 : -1) * uniform(0.0, 0.05, rng)};
-      const RigState to = advance(vehicle, state, arc);
+      const State to = advance(vehicle, state, arc);
       has_said = has_said || watch.look(state, arc, to).has_value();
       state = to;
       if (problem.task().checker->rig_clearance(Local(state), 1.0) > 0.0) continue;

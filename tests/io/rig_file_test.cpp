@@ -152,7 +152,7 @@ TEST_F(RigFile, ResultsCarryTheAngleOfEveryPose) {
   EXPECT_EQ(read.claims.start_hitch_angle, 0.3);
   ASSERT_FALSE(read.claims.poses.empty());
   const Vehicle& vehicle = file.scenario.vehicle;
-  const RigState half = advance(vehicle, {{0, 0, 0}, 0.3}, {0.1, 2});
+  const State half = advance(vehicle, {{0, 0, 0}, 0.3}, {0.1, 2});
   EXPECT_EQ(read.claims.poses.front().hitch_angle, 0.3);
   EXPECT_EQ(read.claims.poses.back().hitch_angle, advance(vehicle, half, {0, -1}).hitch_angle);
 }

@@ -116,7 +116,7 @@ TEST(JudgeOfGoals, HoldsWheelsToTheGoalTheyStandAt) {
 TEST(JudgeOfGoals, HoldsTrailersToTheirRegions) {
   const Vehicle rig = semitrailer();
   const Path path{{}, {{0.0, 6.0}, {0.1, 5.0}}};
-  RigState end{};
+  State end{};
   for (const Segment& segment : path.segments) end = advance(rig, end, segment);
   const Pose axle = trailer_pose(rig, end);
   const auto is_valid = [&](double off, Interval angles, bool is_of_trailer) {

@@ -56,7 +56,7 @@ Segment any_part(Rng& rng) {
 }
 
 /// The least distance of both bodies from an obstacle at many states of a segment.
-double sampled_distance(const Vehicle& vehicle, const RigState& from, const Segment& segment,
+double sampled_distance(const Vehicle& vehicle, const State& from, const Segment& segment,
                         const Polygon& obstacle) {
   const OracleBody tractor(vehicle);
   OracleBody trailer(footprint(*vehicle.trailer));
@@ -65,7 +65,7 @@ double sampled_distance(const Vehicle& vehicle, const RigState& from, const Segm
   const double length = std::abs(segment.length);
   const int count = 1 + static_cast<int>(length / 0.02);
   for (int i = 0; i <= count; ++i) {
-    const RigState state = advance(vehicle, from, part_of(segment, 0, length * i / count));
+    const State state = advance(vehicle, from, part_of(segment, 0, length * i / count));
     least = std::min({least, gap_between(tractor.at(state.pose), obstacle).distance,
                       gap_between(trailer.at(trailer_pose(vehicle, state)), obstacle).distance});
   }
@@ -73,10 +73,9 @@ double sampled_distance(const Vehicle& vehicle, const RigState& from, const Segm
 }
 
 /// A triangle that the bodies graze somewhere, as often as not.
-Polygon any_triangle(const Vehicle& vehicle, const RigState& from, const Segment& segment,
-                     Rng& rng) {
+Polygon any_triangle(const Vehicle& vehicle, const State& from, const Segment& segment, Rng& rng) {
   const double length = std::abs(segment.length);
-  const RigState state = advance(vehicle, from, part_of(segment, 0, uniform(0, length, rng)));
+  const State state = advance(vehicle, from, part_of(segment, 0, uniform(0, length, rng)));
   const Trailer& trailer = *vehicle.trailer;
   const Pose frame = chance(0.3, rng) ? state.pose : trailer_pose(vehicle, state);
   const Footprint body = frame == state.pose ? footprint(vehicle) : footprint(trailer);
@@ -95,9 +94,9 @@ struct Drive {
   Path path;
 };
 
-Drive drive(const Vehicle& vehicle, const RigState& from, std::vector<Segment> segments,
+Drive drive(const Vehicle& vehicle, const State& from, std::vector<Segment> segments,
             const std::vector<Polygon>& obstacles, const std::vector<Polygon>& kerbs = {}) {
-  RigState end = from;
+  State end = from;
   for (const Segment& segment : segments) end = advance(vehicle, end, segment);
   Scenario scenario{.name = "drive",
                     .vehicle = vehicle,
@@ -121,7 +120,7 @@ TEST(RigCheckLaw, CheckerAndJudgeAgreeWithBodiesAtManyPoses) {
   int close_count = 0;
   for_each_case(1, 3000, [&](Rng& rng) {
     const Vehicle vehicle = any_rig(rng);
-    const RigState from{uniform_pose({-5, 5, -5, 5}, rng), uniform(-1.4, 1.4, rng)};
+    const State from{uniform_pose({-5, 5, -5, 5}, rng), uniform(-1.4, 1.4, rng)};
     const Segment segment = any_part(rng);
     if (largest_hitch_angle(vehicle, from.hitch_angle, segment) > 3) return;
     const Polygon obstacle = any_triangle(vehicle, from, segment, rng);
@@ -130,8 +129,8 @@ TEST(RigCheckLaw, CheckerAndJudgeAgreeWithBodiesAtManyPoses) {
     const Drive driven = drive(vehicle, from, {segment}, {obstacle});
     const double sampled = sampled_distance(vehicle, from, segment, obstacle);
     const Pose& start = driven.problem.task().start;
-    const bool is_free = driven.problem.task().checker->rig_is_free(
-        Local(RigState{start, from.hitch_angle}), segment);
+    const bool is_free =
+        driven.problem.task().checker->rig_is_free(Local(State{start, from.hitch_angle}), segment);
     const PathCheck check = judged(driven);
     free_count += is_free ? 1 : 0;
     close_count += sampled < 0.01 && sampled > 0 ? 1 : 0;
@@ -154,7 +153,7 @@ TEST(RigCheckLaw, CheckerAndJudgeAgreeWithBodiesAtManyPoses) {
 TEST(RigCheckLaw, MarginsAreKeptByBothBodies) {
   for_each_case(2, 500, [&](Rng& rng) {
     const Vehicle vehicle = any_rig(rng);
-    const RigState from{uniform_pose({-5, 5, -5, 5}, rng), uniform(-1.2, 1.2, rng)};
+    const State from{uniform_pose({-5, 5, -5, 5}, rng), uniform(-1.2, 1.2, rng)};
     const Segment segment = any_part(rng);
     if (largest_hitch_angle(vehicle, from.hitch_angle, segment) > 3) return;
     const Drive driven =
@@ -163,7 +162,7 @@ TEST(RigCheckLaw, MarginsAreKeptByBothBodies) {
     if (!check.valid || *check.clearance < 0.01) return;
     const auto is_free_with = [&](double margin) {
       const Task task = task_of(driven.problem, {.margin = margin});
-      return task.checker->rig_is_free(Local(RigState{task.start, from.hitch_angle}), segment);
+      return task.checker->rig_is_free(Local(State{task.start, from.hitch_angle}), segment);
     };
     EXPECT_TRUE(is_free_with(*check.clearance - 3e-3));
     EXPECT_FALSE(is_free_with(*check.clearance + 1e-3));
@@ -174,9 +173,9 @@ TEST(RigCheckLaw, MarginsAreKeptByBothBodies) {
 TEST(RigCheckLaw, TheJudgeFindsTheHitchAngleByItsOwnMeans) {
   for_each_case(3, 300, [&](Rng& rng) {
     const Vehicle vehicle = any_rig(rng);
-    const RigState from{uniform_pose({-5, 5, -5, 5}, rng), uniform(-1, 1, rng)};
+    const State from{uniform_pose({-5, 5, -5, 5}, rng), uniform(-1, 1, rng)};
     const std::vector<Segment> segments = {any_part(rng), any_part(rng), any_part(rng)};
-    RigState state = from;
+    State state = from;
     double largest = 0;
     for (const Segment& segment : segments) {
       largest = std::max(largest, largest_hitch_angle(vehicle, state.hitch_angle, segment));
@@ -201,7 +200,7 @@ TEST(RigCheck, ATrailerThatCutsTheCornerIsNamed) {
   EXPECT_EQ(check.reason, "the trailer's footprint hits obstacles[0]");
   ASSERT_TRUE(check.at);
   EXPECT_GT(check.at->s, 5);
-  EXPECT_FALSE(driven.problem.task().checker->rig_is_free(Local<RigState>(), turn));
+  EXPECT_FALSE(driven.problem.task().checker->rig_is_free(Local<State>(), turn));
   EXPECT_TRUE(driven.problem.task().checker->is_free(LocalPose(), turn));
 }
 
@@ -212,7 +211,7 @@ TEST(RigCheck, ATrailerInsideOfAWallIsNotFreeAlthoughNoBodyTouchesASide) {
   const std::vector<Polygon> around = {{{-30, -9}, {-1.8, -9}, {-1.8, 9}, {-30, 9}}};
   const Drive standing = drive(vehicle, {}, {{0, 0.1}}, around);
   EXPECT_TRUE(standing.problem.task().checker->is_free(LocalPose()));
-  EXPECT_FALSE(standing.problem.task().checker->rig_is_free(Local<RigState>()));
+  EXPECT_FALSE(standing.problem.task().checker->rig_is_free(Local<State>()));
   EXPECT_FALSE(judged(standing).valid);
 }
 

@@ -299,7 +299,7 @@ std::optional<Meeting> first_meeting(const RigDrive& rig_drive, const MovingObst
 DriveCheck check_among(const RigDrive& rig_drive, const std::vector<MovingObstacle>& moving,
                        double margin) {
   const auto& [rig, drive, hitch_angle] = rig_drive;
-  RigState state{drive.path.start, hitch_angle};
+  State state{drive.path.start, hitch_angle};
   for (const Segment& segment : drive.path.segments) state = advance(rig, state, segment);
   const Problem alone = make_problem(world_of({.bounds = wide_bounds}), rig, drive.path.start,
                                      state.pose, {}, {hitch_angle, state.hitch_angle});
@@ -349,7 +349,7 @@ TEST(TrailerMeeting, ATailThatSwingsPastIsSeenAtOnce) {
   const MovingObstacle near{.outline = box(-0.005, -0.005, 0.005, 0.005),
                             .trajectory = {{0, beside}}};
   for (const double s : {0.3, 0.6, 0.9}) {
-    const RigState there = advance(rig, {path.start, drive.hitch_angle}, {0, s});
+    const State there = advance(rig, {path.start, drive.hitch_angle}, {0, s});
     const Pose tip = advance(trailer_pose(rig, there), Segment{0, -11.95});
     const MovingObstacle post{.outline = box(-0.005, -0.005, 0.005, 0.005),
                               .trajectory = {{0, {tip.x, tip.y, 0}}}};

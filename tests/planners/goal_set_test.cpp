@@ -368,7 +368,7 @@ TEST(GoalSet, OfATrailerIsWhereItsAxleIs) {
   const PlanResult result = plan(problem, by_length(is_sanitized ? 300 : 4000));
   if (is_sanitized && !result.path) return;
   expect_at_goal(problem, result);
-  RigState end{result.path->start, 0.0};
+  State end{result.path->start, 0.0};
   for (const Segment& segment : result.path->segments) {
     end = advance(problem.vehicle(), end, segment);
   }

@@ -210,8 +210,8 @@ TEST(YieldingLaw, NobodyHitsATrailerEither) {
     Vehicle rig{3.6, 1.4, 0.9, 2.55, 5.9};
     rig.hitch = uniform(-1, 1, rng);
     rig.trailer = Trailer{uniform(4, 8, rng), 1.6, 4.3, 2.55};
-    RigState state{{0, 0, uniform(-pi, pi, rng)}, uniform(-0.5, 0.5, rng)};
-    const RigState start = state;
+    State state{{0, 0, uniform(-pi, pi, rng)}, uniform(-0.5, 0.5, rng)};
+    const State start = state;
     Path path{start.pose, {}};
     for (int i = 0; i < 3; ++i) {
       const double sign = uniform01(rng) < 0.3 ? -1 : 1;

@@ -24,19 +24,19 @@ namespace {
 using std::numbers::pi;
 
 /// Where the segments lead from the start of the task.
-RigState end_of(const Task& task, std::span<const Segment> segments) {
-  RigState state{task.start, task.hitch_angles.start};
+State end_of(const Task& task, std::span<const Segment> segments) {
+  State state{task.start, task.hitch_angles.start};
   for (const Segment& segment : segments) state = advance(task.vehicle, state, segment);
   return state;
 }
 
 void expect_free_drive_to_goal(const Task& task, std::span<const Segment> segments) {
-  const RigState end = end_of(task, segments);
+  const State end = end_of(task, segments);
   EXPECT_LT(std::hypot(end.pose.x - task.goal.x, end.pose.y - task.goal.y), 1e-6);
   EXPECT_NEAR(std::remainder(end.pose.heading - task.goal.heading, 2 * pi), 0, 1e-6);
   EXPECT_NEAR(end.hitch_angle, task.hitch_angles.goal, 1e-6);
   EXPECT_TRUE(
-      task.checker->rig_is_free(Local(RigState{task.start, task.hitch_angles.start}), segments));
+      task.checker->rig_is_free(Local(State{task.start, task.hitch_angles.start}), segments));
 }
 
 /// Blocks of 70 m with streets of 14 m between them.

@@ -188,8 +188,8 @@ TEST(RigPlanning, TablesRankNodesByTheirHitchAngles) {
   const Scenario scenario = dock();
   const Problem problem = make_problem(scenario);
   const PlanOptions options = complete(planner_named("rrt-bsc-hlut-4"), {}, scenario.vehicle);
-  const RigState bent{problem.task().start, 0.9};
-  const RigState sample = advance(scenario.vehicle, bent, {0, 6});
+  const State bent{problem.task().start, 0.9};
+  const State sample = advance(scenario.vehicle, bent, {0, 6});
   const auto nearest = [&](search::Estimate estimate) {
     planning::GrownTree tree(problem.task(), options, estimate, search::RankBy::length);
     (void)tree.add(bent, {0, 20.0});
@@ -205,13 +205,13 @@ TEST(RigPlanning, TablesRankNodesByTheirHitchAngles) {
 TEST(RigPlanning, TheWayThroughATreeIsExactAsAWhole) {
   const Vehicle vehicle = semitrailer();
   const double curvature = 0.03;
-  RigState state{{0, 0, 0}, 0.1};
+  State state{{0, 0, 0}, 0.1};
   for (int i = 0; i < 200; ++i)
     state.hitch_angle = hitch_angle_after(vehicle, state.hitch_angle, {curvature, 1});
   int kept = 0, refused = 0;
   Rng rng(1);
   for (int edges = 2; edges <= 40; edges += 2) {
-    std::vector<RigState> states = {{{0, 0, 0}, state.hitch_angle}};
+    std::vector<State> states = {{{0, 0, 0}, state.hitch_angle}};
     for (int i = 0; i < edges; ++i) {
       states.push_back({advance(states.back().pose, {curvature, -7}),
                         state.hitch_angle + uniform(-0.05, 0.05, rng)});
@@ -256,7 +256,7 @@ TEST(RigPlanning, TreesCheckTheTrailer) {
   const PlanResult free = plan(make_problem(scenario), planner, options);
   ASSERT_EQ(free.status, PlanStatus::solved);
   int tried = 0;
-  RigState state{scenario.start, 0.0};
+  State state{scenario.start, 0.0};
   for (const Segment& segment : free.path->segments) {
     for (double driven = 0.25; driven < std::abs(segment.length); driven += 0.25) {
       const Pose axle = trailer_pose(
@@ -295,7 +295,7 @@ TEST(RigPlanning, HitchAnglesAtTheEndsAreMet) {
   const PlanResult result = plan(make_problem(scenario), with_iterations(cases(3000)));
   if (is_sanitized) return;
   ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
-  RigState state{scenario.start, 0.4};
+  State state{scenario.start, 0.4};
   for (const Segment& segment : result.path->segments) {
     state = advance(scenario.vehicle, state, segment);
   }
@@ -358,7 +358,7 @@ TEST(RigBoundLaw, NoDriveCostsLess) {
     vehicle.hitch = uniform(-2, 1, rng);
     vehicle.trailer->wheelbase = uniform(3, 9, rng);
     vehicle.max_hitch_angle = uniform(0.5, 1.4, rng);
-    RigState state{{0, 0, 0}, uniform(-1, 1, rng) * vehicle.max_hitch_angle};
+    State state{{0, 0, 0}, uniform(-1, 1, rng) * vehicle.max_hitch_angle};
     scenario.hitch_angles.start = state.hitch_angle;
     std::vector<Segment> segments;
     for (int i = 0; i < 6; ++i) {
@@ -387,8 +387,8 @@ TEST(RigBound, KnowsThatATrailerMayGoFartherThanItsTractor) {
   vehicle.trailer->wheelbase = 4;
   vehicle.max_hitch_angle = 0.9;
   const Segment arc{1.0 / 3, 0.3};
-  const RigState from{{0, 0, 0}, std::atan(2.0 / 3)};
-  const RigState to = advance(vehicle, from, arc);
+  const State from{{0, 0, 0}, std::atan(2.0 / 3)};
+  const State to = advance(vehicle, from, arc);
   scenario.goal = to.pose;
   scenario.hitch_angles = {from.hitch_angle, to.hitch_angle};
   const Problem problem = make_problem(scenario);
@@ -443,7 +443,7 @@ TEST(RigBoundLaw, NoDriveTakesLess) {
     vehicle.limits.max_speed = {uniform(0.5, 9, rng), uniform(0.5, 9, rng)};
     vehicle.limits.max_acceleration = uniform(0.3, 3, rng);
     if (uniform01(rng) < 0.5) vehicle.limits.max_braking = uniform(0.3, 5, rng);
-    RigState state{{0, 0, 0}, uniform(-1, 1, rng) * vehicle.max_hitch_angle};
+    State state{{0, 0, 0}, uniform(-1, 1, rng) * vehicle.max_hitch_angle};
     scenario.hitch_angles.start = state.hitch_angle;
     std::vector<Segment> segments;
     for (std::uint64_t i = 0, n = 1 + rng() % 4; i < n; ++i) {
@@ -581,9 +581,9 @@ TEST(RigPlanning, FollowsItsTractorOverAWholeSite) {
 // ---- Closing a gap ----
 
 /// From a state along commands to where they lead.
-bool closes(const RigState& from, std::vector<commands::Command> commands) {
+bool closes(const State& from, std::vector<commands::Command> commands) {
   const Vehicle vehicle = semitrailer();
-  RigState end = from;
+  State end = from;
   for (const auto& command : commands) end = advance(vehicle, end, command.at_once());
   return commands::Closer(vehicle).close(from, commands, end);
 }
@@ -609,8 +609,8 @@ TEST(CloserLaw, ADriveIsBentUntilItEndsThere) {
     const Vehicle vehicle = semitrailer();
     commands::Closer closer(vehicle);
     std::vector<commands::Command> commands;
-    RigState end{{0, 0, 0}, uniform(-0.3, 0.3, rng)};
-    const RigState start = end;
+    State end{{0, 0, 0}, uniform(-0.3, 0.3, rng)};
+    const State start = end;
     double largest = 0;
     for (int i = 0; i < 8; ++i) {
       commands.push_back({uniform(-0.13, 0.13, rng), any_sign(uniform(1, 5, rng), rng)});
@@ -626,7 +626,7 @@ TEST(CloserLaw, ADriveIsBentUntilItEndsThere) {
     end.hitch_angle += uniform(-0.1, 0.1, rng);
     if (!closer.close(start, commands, end)) return;
     ++closed;
-    RigState state = start;
+    State state = start;
     for (const commands::Command& command : commands) {
       const Segment segment = command.at_once();
       EXPECT_LE(std::abs(segment.curvature), 1 / 5.9);

@@ -53,12 +53,12 @@ std::vector<Command> any_commands(int count, Rng& rng) {
   return commands;
 }
 
-RigState end_of(const Vehicle& vehicle, RigState state, const std::vector<Segment>& segments) {
+State end_of(const Vehicle& vehicle, State state, const std::vector<Segment>& segments) {
   for (const Segment& segment : segments) state = advance(vehicle, state, segment);
   return state;
 }
 
-double largest_angle(const Vehicle& vehicle, RigState state, const std::vector<Segment>& segments) {
+double largest_angle(const Vehicle& vehicle, State state, const std::vector<Segment>& segments) {
   double largest = std::abs(state.hitch_angle);
   for (const Segment& segment : segments) {
     largest = std::max(largest, largest_hitch_angle(vehicle, state.hitch_angle, segment));
@@ -68,7 +68,7 @@ double largest_angle(const Vehicle& vehicle, RigState state, const std::vector<S
 }
 
 /// The problem of a drive on open ground.
-Problem problem_along(const Vehicle& vehicle, const RigState& from, const RigState& to,
+Problem problem_along(const Vehicle& vehicle, const State& from, const State& to,
                       const EndCurvatures& curvatures = {}) {
   return make_problem(world_of({.bounds = {-500, 500, -500, 500}}), vehicle, from.pose, to.pose,
                       curvatures, {from.hitch_angle, to.hitch_angle});
@@ -163,14 +163,14 @@ TEST_P(ContinuousCloser, BendsADriveUntilItEndsThere) {
   commands::Closer closer(vehicle, steering);
   int closed = 0, tried = 0;
   for_each_case(1, 400, [&](Rng& rng) {
-    const RigState start{{0, 0, 0}, uniform(-0.3, 0.3, rng)};
+    const State start{{0, 0, 0}, uniform(-0.3, 0.3, rng)};
     std::vector<Command> commands = any_commands(8, rng);
     const double last = commands.back().curvature;
     const search::DrivenBeside ends = ends_for(steering, uniform(-1, 1, rng) / 5.9, last);
     const std::vector<Segment> first = wheels.driven(commands, ends.before);
     if (largest_angle(vehicle, start, first) > 0.9) return;
     ++tried;
-    RigState end = end_of(vehicle, start, first);
+    State end = end_of(vehicle, start, first);
     end.pose.x += uniform(-0.5, 0.5, rng);
     end.pose.y += uniform(-0.5, 0.5, rng);
     end.pose.heading += uniform(-0.1, 0.1, rng);
@@ -180,7 +180,7 @@ TEST_P(ContinuousCloser, BendsADriveUntilItEndsThere) {
     const std::vector<Segment> driven = wheels.driven(commands, ends.before);
     for (const Command& command : commands) EXPECT_LE(std::abs(command.curvature), 1 / 5.9);
     EXPECT_LE(largest_angle(vehicle, start, driven), 1.2);
-    const RigState there = end_of(vehicle, start, driven);
+    const State there = end_of(vehicle, start, driven);
     EXPECT_NEAR(there.pose.x, end.pose.x, 1e-9);
     EXPECT_NEAR(there.pose.y, end.pose.y, 1e-9);
     EXPECT_NEAR(std::remainder(there.pose.heading - end.pose.heading, 2 * pi), 0, 1e-9);
@@ -211,10 +211,10 @@ TEST(RigWheels, ACloserHoldsTheHitchAngleInsideOfAClothoid) {
   commands::Closer closer(vehicle, Steering::continuous);
   const search::DrivenBeside ends{{1, 1 / 5.9}, {}};
   for (const double angle : {1.15, 1.198}) {
-    const RigState start{{0, 0, 0}, angle};
+    const State start{{0, 0, 0}, angle};
     std::vector<Command> commands = {{-1 / 5.9, 6}};
     const std::vector<Segment> driven = wheels.driven(commands, ends.before);
-    const RigState end = end_of(vehicle, start, driven);
+    const State end = end_of(vehicle, start, driven);
     ASSERT_LT(end.hitch_angle, angle);
     const bool is_held = largest_angle(vehicle, start, driven) <= vehicle.max_hitch_angle;
     EXPECT_EQ(is_held, angle < 1.19);
@@ -242,9 +242,9 @@ void expect_drive(const Problem& problem, const PlanResult& result, Steering ste
   EXPECT_LE(result.lower_bound, result.cost);
   expect_continuous(*result.path, problem, steering);
   const Vehicle& vehicle = problem.vehicle();
-  const RigState from{problem.start(), problem.hitch_angles().start};
+  const State from{problem.start(), problem.hitch_angles().start};
   EXPECT_LE(largest_angle(vehicle, from, result.path->segments), vehicle.max_hitch_angle + 1e-12);
-  const RigState end = end_of(vehicle, from, result.path->segments);
+  const State end = end_of(vehicle, from, result.path->segments);
   EXPECT_NEAR(end.pose.x, problem.goal().x, 1e-9);
   EXPECT_NEAR(end.pose.y, problem.goal().y, 1e-9);
   EXPECT_NEAR(std::remainder(end.pose.heading - problem.goal().heading, 2 * pi), 0, 1e-9);
@@ -269,8 +269,8 @@ TEST_P(ContinuousRigs, GetFromAnyStateToAnyOther) {
   int solved = 0, tried = 0;
   for_each_case(3, 20, [&](Rng& rng) {
     const auto any_state = [&] {
-      return RigState{{uniform(-20, 20, rng), uniform(-20, 20, rng), uniform(-pi, pi, rng)},
-                      uniform(-0.8, 0.8, rng)};
+      return State{{uniform(-20, 20, rng), uniform(-20, 20, rng), uniform(-pi, pi, rng)},
+                   uniform(-0.8, 0.8, rng)};
     };
     EndCurvatures curvatures;
     if (GetParam() == Steering::continuous) {

@@ -164,9 +164,9 @@ static_assert(!BeginToPrice<Pose> && !Node<Pose>);
 template <class R>
 concept EveryRig =
     RigToCheck<R> && RigArcToCheck<R> && RigWayToCheck<R> && RigToMeasure<R> && RigToPrice<R>;
-static_assert(EveryRig<Local<RigState>>);
-static_assert(!RigToCheck<RigState> && !RigArcToCheck<RigState> && !RigWayToCheck<RigState>);
-static_assert(!RigToMeasure<RigState> && !RigToPrice<RigState>);
+static_assert(EveryRig<Local<State>>);
+static_assert(!RigToCheck<State> && !RigArcToCheck<State> && !RigWayToCheck<State>);
+static_assert(!RigToMeasure<State> && !RigToPrice<State>);
 
 static_assert(PointToLookAt<Local<Point>> && PointToMeasure<Local<Point>>);
 static_assert(CentreOfRamp<Local<Point>> && RegionOfRoadmap<Local<Bounds>>);
@@ -205,8 +205,8 @@ TEST(Frames, APoseInAWallFarAwayIsOccupiedAtEveryDoor) {
     EXPECT_EQ(checker.is_free(local), is_free);
     EXPECT_EQ(checker.is_free(local, Segment{0.0, 0.5}), is_free);
     EXPECT_EQ(checker.clearance(local, 10.0) > 0.0, is_free);
-    EXPECT_EQ(checker.rig_is_free(Local(RigState{local})), is_free);
-    EXPECT_EQ(checker.rig_clearance(Local(RigState{local}), 10.0) > 0.0, is_free);
+    EXPECT_EQ(checker.rig_is_free(Local(State{local})), is_free);
+    EXPECT_EQ(checker.rig_clearance(Local(State{local}), 10.0) > 0.0, is_free);
     EXPECT_EQ(connector.is_free(local), is_free);
     EXPECT_EQ(connector.connect(local, local).has_value(), is_free);
     EXPECT_EQ(to_scenario(world, local), pose);

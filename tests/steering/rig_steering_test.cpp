@@ -40,26 +40,26 @@ Vehicle any_rig(Rng& rng) {
   return rig(radius, wheelbase, hitch, uniform(0.5, 1.3, rng));
 }
 
-RigState any_state(const Vehicle& vehicle, double reach, Rng& rng) {
+State any_state(const Vehicle& vehicle, double reach, Rng& rng) {
   const double most = vehicle.max_hitch_angle;
   const double angle = chance(0.3, rng) ? 0 : uniform(-most, most, rng);
   return {{uniform(-reach, reach, rng), uniform(-reach, reach, rng), uniform(-pi, pi, rng)}, angle};
 }
 
-std::string case_as_code(const Vehicle& v, const RigState& a, const RigState& b) {
+std::string case_as_code(const Vehicle& v, const State& a, const State& b) {
   return braced({v.min_turning_radius, v.trailer->wheelbase, v.hitch, v.max_hitch_angle}) + " " +
          vandplan::as_code(a.pose) + " " + vandplan::as_code(a.hitch_angle) + " to " +
          vandplan::as_code(b.pose) + " " + vandplan::as_code(b.hitch_angle);
 }
 
 /// Whether the path leads from state to state within the limits, by the motion of rig.h.
-testing::AssertionResult leads(const Vehicle& vehicle, const RigState& from, const RigState& to,
+testing::AssertionResult leads(const Vehicle& vehicle, const State& from, const State& to,
                                const Piece& piece) {
   const auto wrong = [&](const std::string& what) {
     return testing::AssertionFailure() << what << ": " << case_as_code(vehicle, from, to) << " by "
                                        << vandplan::as_code(piece.view());
   };
-  RigState end = from;
+  State end = from;
   double sum = 0;
   for (const Segment& s : piece.view()) {
     if (s.length == 0) return wrong("a segment of no length");
@@ -85,7 +85,7 @@ TEST(RigSteering, LeadsFromAnyStateToAnyOther) {
   for_each_case(1, 600, [](Rng& rng) {
     const Vehicle vehicle = any_rig(rng);
     const double reach = vehicle.min_turning_radius * any_size(0.1, 20, rng);
-    const RigState from = any_state(vehicle, reach, rng), to = any_state(vehicle, reach, rng);
+    const State from = any_state(vehicle, reach, rng), to = any_state(vehicle, reach, rng);
     const auto piece = RigSteering(vehicle).steer(from, to);
     ASSERT_TRUE(piece) << case_as_code(vehicle, from, to);
     EXPECT_TRUE(leads(vehicle, from, to, *piece));
@@ -105,11 +105,11 @@ TEST(RigSteering, LeadsBetweenNastyStates) {
       const double held = std::asin(std::min(1.0, vehicle.trailer->wheelbase / radius));
       return std::clamp(any_sign(one_of({0, 0, most, 0.3, held, 1e-9, 1e-6}), rng), -most, most);
     };
-    const RigState from{{0, 0, 0}, angle()};
-    const RigState to{{radius * one_of({0, 0, 1, -1, 2, -2, 1e-9, 1e-6, 1e-3, 10, -10}),
-                       radius * one_of({0, 0, 1, -1, 2, 1e-9, 1e-6, 1e-3, 4}),
-                       one_of({0, 0, pi / 2, -pi / 2, pi, 1e-9, 1e-6, 1e-3})},
-                      angle()};
+    const State from{{0, 0, 0}, angle()};
+    const State to{{radius * one_of({0, 0, 1, -1, 2, -2, 1e-9, 1e-6, 1e-3, 10, -10}),
+                    radius * one_of({0, 0, 1, -1, 2, 1e-9, 1e-6, 1e-3, 4}),
+                    one_of({0, 0, pi / 2, -pi / 2, pi, 1e-9, 1e-6, 1e-3})},
+                   angle()};
     const auto piece = RigSteering(vehicle).steer(from, to);
     ASSERT_TRUE(piece) << case_as_code(vehicle, from, to);
     EXPECT_TRUE(leads(vehicle, from, to, *piece));
@@ -117,7 +117,7 @@ TEST(RigSteering, LeadsBetweenNastyStates) {
 }
 
 TEST(RigSteering, DoesNotMoveBetweenEqualStates) {
-  const RigState state{{3, -2, 1}, 0.7};
+  const State state{{3, -2, 1}, 0.7};
   EXPECT_EQ(RigSteering(semitrailer()).steer(state, state)->count, 0);
 }
 
@@ -134,8 +134,8 @@ TEST(RigSteering, StaysOnTheCircleThatHoldsTheAngle) {
   const Vehicle vehicle = rig(6, 8, 0, 1.2);
   const double angle = 0.5, curvature = std::sin(angle) / 8;
   for (const double way : {9.0, -9.0}) {
-    const RigState from{{1, 2, 0.3}, angle};
-    const RigState to{advance(from.pose, Segment{curvature, way}), angle};
+    const State from{{1, 2, 0.3}, angle};
+    const State to{advance(from.pose, Segment{curvature, way}), angle};
     const auto piece = RigSteering(vehicle).steer(from, to);
     ASSERT_EQ(piece->count, 1);
     EXPECT_NEAR(piece->segments[0].curvature, curvature, 1e-12);
@@ -146,7 +146,7 @@ TEST(RigSteering, StaysOnTheCircleThatHoldsTheAngle) {
 /// A rig as long as 16.5 m turns round without folding up.
 TEST(RigSteering, TurnsRoundWithATrailerThatIsLongerThanTheRadius) {
   const Vehicle vehicle = semitrailer();
-  const RigState from{{0, 0, 0}, 0}, to{{0, 0, pi}, 0};
+  const State from{{0, 0, 0}, 0}, to{{0, 0, pi}, 0};
   const auto piece = RigSteering(vehicle).steer(from, to);
   ASSERT_TRUE(piece);
   EXPECT_TRUE(leads(vehicle, from, to, *piece));
@@ -158,8 +158,8 @@ TEST(RigSteering, MovesLittleWhereTheGoalIsNear) {
     const Vehicle vehicle = semitrailer();
     const double radius = vehicle.min_turning_radius, most = vehicle.max_hitch_angle;
     const double size = any_size(1e-4, 1, rng);
-    const RigState from = any_state(vehicle, 10, rng);
-    RigState to = from;
+    const State from = any_state(vehicle, 10, rng);
+    State to = from;
     to.pose.x += radius * uniform(-size, size, rng);
     to.pose.y += radius * uniform(-size, size, rng);
     to.pose.heading += uniform(-size, size, rng);
@@ -174,7 +174,7 @@ TEST(RigSteering, MirrorsThePathOfMirroredStates) {
   for_each_case(4, 200, [](Rng& rng) {
     const Vehicle vehicle = any_rig(rng);
     const double reach = 3 * vehicle.min_turning_radius;
-    const RigState to = any_state(vehicle, reach, rng);
+    const State to = any_state(vehicle, reach, rng);
     const double angle = any_state(vehicle, reach, rng).hitch_angle;
     const RigSteering steering(vehicle);
     const auto piece = steering.steer({{0, 0, 0}, angle}, to);
@@ -193,7 +193,7 @@ TEST(RigSteering, DrivesBackTheWayItCame) {
   for_each_case(5, 200, [](Rng& rng) {
     const Vehicle vehicle = semitrailer();
     const double reach = 1.5 * vehicle.min_turning_radius;
-    const RigState from = any_state(vehicle, reach, rng), to = any_state(vehicle, reach, rng);
+    const State from = any_state(vehicle, reach, rng), to = any_state(vehicle, reach, rng);
     const RigSteering steering(vehicle);
     const auto there = steering.steer(from, to), back = steering.steer(to, from);
     ASSERT_TRUE(there && back);
@@ -208,8 +208,8 @@ TEST(RigSteering, DrivesBackTheWayItCame) {
 TEST(RigSteering, ScalesWithTheRig) {
   for_each_case(6, 200, [](Rng& rng) {
     const Vehicle vehicle = any_rig(rng);
-    const RigState from = any_state(vehicle, 10, rng), to = any_state(vehicle, 10, rng);
-    const auto twice = [](RigState state) {
+    const State from = any_state(vehicle, 10, rng), to = any_state(vehicle, 10, rng);
+    const auto twice = [](State state) {
       state.pose.x *= 2;
       state.pose.y *= 2;
       return state;
@@ -227,7 +227,7 @@ TEST(RigSteering, GivesTheCheapestOfItsCandidates) {
   for_each_case(7, 100, [](Rng& rng) {
     const Vehicle vehicle = any_rig(rng);
     const double reach = 4 * vehicle.min_turning_radius;
-    const RigState from = any_state(vehicle, reach, rng), to = any_state(vehicle, reach, rng);
+    const State from = any_state(vehicle, reach, rng), to = any_state(vehicle, reach, rng);
     const RigSteering steering(vehicle);
     RigPrices prices{.reverse_weight = any_size(0.5, 5, rng),
                      .gear_change_cost = chance(0.5, rng) ? 0 : uniform(0, 10, rng)};
@@ -254,7 +254,7 @@ TEST(RigSteering, LosesLittleToTheBestOfAllGuesses) {
   for_each_case(9, 300, [&](Rng& rng) {
     const Vehicle vehicle = any_rig(rng);
     const double radius = vehicle.min_turning_radius, reach = radius * any_size(0.3, 6, rng);
-    const RigState from = any_state(vehicle, reach, rng), to = any_state(vehicle, reach, rng);
+    const State from = any_state(vehicle, reach, rng), to = any_state(vehicle, reach, rng);
     const RigSteering steering(vehicle);
     const auto piece = steering.steer(from, to);
     const auto all = steering.candidates(from, to, {});
@@ -271,7 +271,7 @@ TEST(RigSteering, LeadsQuicklyBetweenMostStates) {
   for_each_case(10, 1000, [&](Rng& rng) {
     const Vehicle vehicle = any_rig(rng);
     const double reach = vehicle.min_turning_radius * any_size(0.3, 6, rng);
-    const RigState from = any_state(vehicle, reach, rng), to = any_state(vehicle, reach, rng);
+    const State from = any_state(vehicle, reach, rng), to = any_state(vehicle, reach, rng);
     const RigSteering steering(vehicle);
     const auto piece = steering.steer_quickly(from, to);
     ++all;
@@ -290,7 +290,7 @@ TEST(RigSteering, LeadsQuicklyBetweenMostStates) {
 
 TEST(RigSteering, AvoidsWhatIsDear) {
   const RigSteering steering(semitrailer());
-  const RigState from{{0, 0, 0}, 0}, to{{-5, 3, 0}, 0};
+  const State from{{0, 0, 0}, 0}, to{{-5, 3, 0}, 0};
   const auto reverse = [&](double weight) {
     double sum = 0;
     const std::optional<Piece> piece = steering.steer(from, to, {.reverse_weight = weight});
@@ -310,7 +310,7 @@ TEST(RigSteering, RefusesWhatItCannotSteer) {
   EXPECT_THROW(RigSteering{rig(6, 2, -2, 1)}, InputError);
   EXPECT_THROW(RigSteering{rig(6, 8, 0, 3.1)}, InputError);
   const RigSteering steering(semitrailer());
-  const RigState state{{0, 0, 0}, 0};
+  const State state{{0, 0, 0}, 0};
   EXPECT_THROW((void)steering.steer(state, {{0, 0, 0}, 1.3}), InputError);
   EXPECT_THROW((void)steering.steer(state, {{nan, 0, 0}, 0}), InputError);
   EXPECT_THROW((void)steering.steer(state, {{0, 0, 0}, nan}), InputError);

@@ -67,7 +67,7 @@ TEST(RangeStudy, FilesHoldEveryPairAndEveryRing) {
 // ---- accuracy ----
 
 NamedEstimate look_up(int number) {
-  return {"hlut", [table = thesis_table(number)](const RigState& node, const RigState& sample) {
+  return {"hlut", [table = thesis_table(number)](const State& node, const State& sample) {
             return table.distance(node.pose, sample.pose, 7.0);
           }};
 }
@@ -90,7 +90,7 @@ TEST(AccuracyStudy, LandsWhereTheThesisAndAnIndependentTrialDo) {
 }
 
 TEST(AccuracyStudy, FiguresOfAnEstimateThatIsAlwaysTooLong) {
-  const auto too_long = [](const RigState& node, const RigState& sample) {
+  const auto too_long = [](const State& node, const State& sample) {
     return 1.05 * reeds_shepp_length(node.pose, sample.pose, 7.0);
   };
   const AccuracyStudy study = study_accuracy({.pairs = 1000}, {{"x", too_long}});
@@ -105,8 +105,8 @@ TEST(AccuracyStudy, FiguresOfAnEstimateThatIsAlwaysTooLong) {
 
 TEST(AccuracyStudy, AWildEstimateGoesIntoTheLastBinAndEuclidIsNeverTooLong) {
   const AccuracyStudy study = study_accuracy(
-      {.pairs = 1000}, {{"wild, 'quoted'", [](const RigState&, const RigState&) { return 1e9; }},
-                        {"Euclid", [](const RigState& node, const RigState&) {
+      {.pairs = 1000}, {{"wild, 'quoted'", [](const State&, const State&) { return 1e9; }},
+                        {"Euclid", [](const State& node, const State&) {
                            return std::hypot(node.pose.x, node.pose.y);
                          }}});
   EXPECT_EQ(study.estimates[0].histogram.back(), 1000);

@@ -35,8 +35,8 @@ TEST(RigTable, AnEntryIsTheLengthBetweenTheMiddlesOfItsCell) {
   const RigSteering steering(rig());
   const double wide = 0.8 * rig().max_hitch_angle;
   // Cell (5, 2): from 5 to 10 m ahead, 10 to 15 m to the left.
-  const RigState from{{0, 0, 0}, wide};
-  const RigState to{{7.5, 12.5, pi / 4}, -wide};
+  const State from{{0, 0, 0}, wide};
+  const State to{{7.5, 12.5, pi / 4}, -wide};
   EXPECT_NEAR(table.distance(from, to), steering.steer(from, to)->length, 0.0501);
   EXPECT_EQ(table.distance(from, {{5.01, 14.9, pi / 4 + 0.39}, -wide + 0.3}),
             table.distance(from, to));
@@ -46,12 +46,12 @@ TEST(RigTable, AnEntryIsTheLengthBetweenTheMiddlesOfItsCell) {
 TEST(RigTable, SeesWhatIsMovedTurnedAndMirroredAlike) {
   const RigTable table(rig(), small);
   for_each_case(3, 2000, [&](Rng& rng) {
-    const RigState from{{}, uniform(-1.2, 1.2, rng)};
-    const RigState to{uniform_pose({-30, 30, 0.001, 30}, rng), uniform(-1.2, 1.2, rng)};
+    const State from{{}, uniform(-1.2, 1.2, rng)};
+    const State to{uniform_pose({-30, 30, 0.001, 30}, rng), uniform(-1.2, 1.2, rng)};
     const double length = table.distance(from, to);
     const Pose frame = uniform_pose({-100, 100, -100, 100}, rng);
     // A pose on the border between two cells may be rounded into either.
-    const RigState moved{compose(frame, to.pose), to.hitch_angle};
+    const State moved{compose(frame, to.pose), to.hitch_angle};
     const double again = table.distance({frame, from.hitch_angle}, moved);
     const Pose back = relative(frame, moved.pose);
     EXPECT_EQ(again, table.distance(from, {back, to.hitch_angle}));
@@ -62,7 +62,7 @@ TEST(RigTable, SeesWhatIsMovedTurnedAndMirroredAlike) {
 
 TEST(RigTable, BeyondItsReachTheRestIsStraight) {
   const RigTable table(rig(), small);
-  const RigState from{};
+  const State from{};
   const double last = table.distance(from, {{19.9, 10.1, 0}, 0});
   EXPECT_NEAR(table.distance(from, {{60, 30.3, 0}, 0}), last + std::hypot(40, 20.2), 1e-9);
   EXPECT_TRUE(std::isfinite(table.distance(from, {{-1e6, -1e6, 3}, 0.5})));
@@ -77,8 +77,8 @@ TEST(RigTable, IsTheSameOnAnyNumberOfThreads) {
 TEST(RigTable, ScalesWithTheRig) {
   const RigTable table(rig(), small);
   const RigTable twice = table.scaled(2.0);
-  const RigState from{{1, 2, 0.3}, 0.2}, to{{9, -4, 2}, -0.4};
-  const RigState far_from{{2, 4, 0.3}, 0.2}, far_to{{18, -8, 2}, -0.4};
+  const State from{{1, 2, 0.3}, 0.2}, to{{9, -4, 2}, -0.4};
+  const State far_from{{2, 4, 0.3}, 0.2}, far_to{{18, -8, 2}, -0.4};
   EXPECT_EQ(twice.distance(far_from, far_to), 2 * table.distance(from, to));
 }
 
@@ -92,9 +92,9 @@ TEST(RigTable, TheEmbeddedOneGuessesLengthsOfItsRig) {
   for_each_case(4, 300, [&](Rng& rng) {
     const auto any = [&](int count) { return static_cast<int>(uniform(0, count, rng)); };
     const double angles[] = {-0.96, -0.24, 0.0, 0.24, 0.96};
-    const RigState from{{}, angles[any(5)]};
-    const RigState to{{2.5 * any(24) - 28.75, 2.5 * any(12) + 1.25, any(24) * pi / 12},
-                      angles[any(5)]};
+    const State from{{}, angles[any(5)]};
+    const State to{{2.5 * any(24) - 28.75, 2.5 * any(12) + 1.25, any(24) * pi / 12},
+                   angles[any(5)]};
     EXPECT_NEAR(table.distance(from, to), steering.steer(from, to)->length, 0.0501);
   });
 }
@@ -107,9 +107,8 @@ TEST(RigLengthBound, IsNeverAboveALength) {
     vehicle.max_hitch_angle = uniform(0.5, 1.5, rng);
     vehicle.trailer->wheelbase = uniform(3, 12, rng);
     const double most = vehicle.max_hitch_angle, reach = any_size(1, 60, rng);
-    const RigState from{uniform_pose({-reach, reach, -reach, reach}, rng),
-                        uniform(-most, most, rng)};
-    const RigState to{uniform_pose({-reach, reach, -reach, reach}, rng), uniform(-most, most, rng)};
+    const State from{uniform_pose({-reach, reach, -reach, reach}, rng), uniform(-most, most, rng)};
+    const State to{uniform_pose({-reach, reach, -reach, reach}, rng), uniform(-most, most, rng)};
     const double bound = rig_length_bound(vehicle, from, to);
     const auto piece = RigSteering(vehicle).steer(from, to);
     ASSERT_TRUE(piece);

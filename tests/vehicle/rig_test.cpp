@@ -110,7 +110,7 @@ TEST(Rig, ATightCircleFoldsTheTrailerForGood) {
   EXPECT_GT(after, 4 * pi);
   EXPECT_NEAR(after, static_cast<double>(slow_hitch_angles(semitrailer(), 0, {0.25, 200}).last),
               1e-11);
-  const RigState state = advance(semitrailer(), {}, {0.25, 200});
+  const State state = advance(semitrailer(), State{}, {0.25, 200});
   EXPECT_LT(std::abs(state.hitch_angle), pi);
   EXPECT_NEAR(std::remainder(after - state.hitch_angle, 2 * pi), 0, 1e-13);
 }
@@ -146,7 +146,7 @@ TEST(RigLaw, AnglesAlongSegmentsAreThoseOfManySmallSteps) {
 TEST(RigLaw, TheTrailersAxleRollsWithoutSlip) {
   for_each_case(2, 20000, [&](Rng& rng) {
     const Vehicle vehicle = any_rig(rng);
-    const RigState state{uniform_pose({-9, 9, -9, 9}, rng), uniform(-1.5, 1.5, rng)};
+    const State state{uniform_pose({-9, 9, -9, 9}, rng), uniform(-1.5, 1.5, rng)};
     const double curvature = uniform(-0.25, 0.25, rng);
     constexpr double step = 1e-5;
     const Pose before = trailer_pose(vehicle, advance(vehicle, state, {curvature, -step}));
@@ -161,12 +161,12 @@ TEST(RigLaw, TheTrailersAxleRollsWithoutSlip) {
 TEST(RigLaw, DrivenBackEverythingIsAsBefore) {
   for_each_case(3, 20000, [&](Rng& rng) {
     const Vehicle vehicle = any_rig(rng);
-    const RigState state{uniform_pose({-9, 9, -9, 9}, rng), uniform(-1.0, 1.0, rng)};
+    const State state{uniform_pose({-9, 9, -9, 9}, rng), uniform(-1.0, 1.0, rng)};
     const Segment segment{uniform(-0.2, 0.2, rng), uniform(-8, 8, rng),
                           chance(0.5, rng) ? 0.0 : uniform(-0.05, 0.05, rng)};
     const Segment back{curvature_at(segment, std::abs(segment.length)), -segment.length,
                        -segment.curvature_rate};
-    const RigState after = advance(vehicle, advance(vehicle, state, segment), back);
+    const State after = advance(vehicle, advance(vehicle, state, segment), back);
     EXPECT_NEAR(after.hitch_angle, state.hitch_angle, 1e-11);
     EXPECT_NEAR(std::remainder(after.pose.heading - state.pose.heading, 2 * pi), 0, 1e-13);
   });
@@ -188,7 +188,7 @@ TEST(RigLaw, CutAnywhereASegmentLeadsToTheSameAngle) {
 TEST(RigLaw, ThePosesOfBothBodiesSayTheSame) {
   for_each_case(5, 20000, [&](Rng& rng) {
     const Vehicle vehicle = any_rig(rng);
-    const RigState state{uniform_pose({-9, 9, -9, 9}, rng), uniform(-3, 3, rng)};
+    const State state{uniform_pose({-9, 9, -9, 9}, rng), uniform(-3, 3, rng)};
     const Pose back = tractor_pose(vehicle, trailer_pose(vehicle, state), state.hitch_angle);
     EXPECT_NEAR(back.x, state.pose.x, 1e-14);
     EXPECT_NEAR(back.y, state.pose.y, 1e-14);

@@ -126,7 +126,7 @@ class Yard {
         has(query, "vehicle") ? vehicle_from(query["vehicle"]) : problem_.vehicle();
     const Margin margin{.wanted = number_at(query, "margin", "", 0.0)};
     const End end = end_from(query["pose"], "pose", vehicle);
-    const RigState state{to_local(*world_, end.pose), end.hitch_angle};
+    const State state{to_local(*world_, end.pose), end.hitch_angle};
     return val(world_->checker(vehicle, margin)->rig_is_free(Local(state)));
   }
 

@@ -76,7 +76,7 @@ Closer::Place Closer::place_after(const Place& from, const Segment& segment) con
       hitch_angle};
 }
 
-void Closer::drive(const RigState& from, std::span<Command> commands,
+void Closer::drive(const State& from, std::span<Command> commands,
                    const search::DrivenBeside& ends) {
   const auto [sin, cos] = base::sin_cos(from.pose.heading);
   places_.assign(1, {from.pose, sin, cos, from.hitch_angle});
@@ -100,7 +100,7 @@ void Closer::drive(const RigState& from, std::span<Command> commands,
   }
 }
 
-Closer::Vector Closer::gap(const RigState& to) const {
+Closer::Vector Closer::gap(const State& to) const {
   const auto& [pose, sin, cos, hitch_angle] = places_.back();
   return {to.pose.x - pose.x, to.pose.y - pose.y, wrap_angle(to.pose.heading - pose.heading),
           to.hitch_angle - hitch_angle};
@@ -298,7 +298,7 @@ bool Closer::is_steady() const {
   return true;
 }
 
-bool Closer::close(const RigState& from, std::span<Command> commands, const RigState& to,
+bool Closer::close(const State& from, std::span<Command> commands, const State& to,
                    const search::DrivenBeside& ends) {
   for (int i = 0; i < most_iterations; ++i) {
     drive(from, commands, ends);
@@ -315,8 +315,8 @@ bool Closer::close(const RigState& from, std::span<Command> commands, const RigS
 
 std::optional<std::vector<Command>> obeyed(const Task& task, std::vector<Command> commands) {
   const search::DrivenBeside ends = search::driven_at_ends(task);
-  const RigState from{task.start, task.hitch_angles.start};
-  const RigState to{task.goal, task.hitch_angles.goal};
+  const State from{task.start, task.hitch_angles.start};
+  const State to{task.goal, task.hitch_angles.goal};
   if (!Closer(task.vehicle, task.steering).close(from, commands, to, ends)) return std::nullopt;
   const Wheels wheels(task.vehicle, task.steering);
   const bool is_free = task.checker->rig_is_free(Local(from), wheels.driven(commands, ends.before));

@@ -27,11 +27,11 @@ class Closer {
   /// succeeded: curvatures and hitch angles are within their limits, gears are as before, the
   /// wheels are as `ends` says, and no rounding error of a hitch angle grows by more than 10^4 on
   /// the way. If false, the commands are of no use. A command may end up without length.
-  [[nodiscard]] bool close(const RigState& from, std::span<Command> commands, const RigState& to,
+  [[nodiscard]] bool close(const State& from, std::span<Command> commands, const State& to,
                            const search::DrivenBeside& ends = {});
 
   /// State before command `i` of the commands that were closed last.
-  [[nodiscard]] RigState state_before(std::size_t i) const {
+  [[nodiscard]] State state_before(std::size_t i) const {
     return {places_[i].pose, places_[i].hitch_angle};
   }
 
@@ -55,8 +55,8 @@ class Closer {
     Vector bend, stretch;
   };
 
-  void drive(const RigState& from, std::span<Command> commands, const search::DrivenBeside& ends);
-  [[nodiscard]] Vector gap(const RigState& to) const;
+  void drive(const State& from, std::span<Command> commands, const search::DrivenBeside& ends);
+  [[nodiscard]] Vector gap(const State& to) const;
   [[nodiscard]] Place place_after(const Place& from, const Segment& segment) const;
   [[nodiscard]] Change change(const Place& first, const Segment& segment, const Place& last,
                               double& passed_on) const;

@@ -62,7 +62,7 @@ void DriveShortener::drive(std::vector<double> near) {
   if (!is_known) driving_.near.clear();
   search::Driven priced = rule_.initial_gear;
   for (const Command& command : commands_) {
-    RigState state = driving_.states.back();
+    State state = driving_.states.back();
     search::Driven driven = driving_.driven.back();
     const Obeyed obeyed = wheels_.obey(command, driven);
     driving_.prices.push_back(search::drive_cost(rule_, obeyed.view(), priced));
@@ -81,7 +81,7 @@ void DriveShortener::drive(std::vector<double> near) {
 
 /// Clearance cost of segments; above `cutoff` it is any number above it. 0 with a measure, which
 /// includes clearance.
-double DriveShortener::near_cost(const RigState& from, std::span<const Segment> segments,
+double DriveShortener::near_cost(const State& from, std::span<const Segment> segments,
                                  double cutoff) const {
   if (measure_) return 0.0;
   return search::rig_clearance_cost(task_, rule_, Local(from), segments,
@@ -241,8 +241,8 @@ bool DriveShortener::replace(const Window& window, double limit) {
 
 /// Closes a whole chain and takes it if it is free and costs less than `limit`.
 bool DriveShortener::settle(std::vector<Command> whole, std::vector<double> near, double limit) {
-  const RigState from{task_.start, task_.hitch_angles.start};
-  const RigState to{task_.goal, task_.hitch_angles.goal};
+  const State from{task_.start, task_.hitch_angles.start};
+  const State to{task_.goal, task_.hitch_angles.goal};
   whole = wheels_.tidied(whole, ends_.before);
   if (!closer_.close(from, whole, to, ends_)) return false;
   const std::vector<Segment> driven = wheels_.driven(whole, ends_.before);

@@ -51,7 +51,7 @@ class DriveShortener {
   };
   /// States, gears and costs along a chain of commands.
   struct Driving {
-    std::vector<RigState> states;        // states before each command, and at the end
+    std::vector<State> states;           // states before each command, and at the end
     std::vector<search::Driven> driven;  // gears and curvatures before each command, and at the end
     std::vector<double> prices;          // cost of each command without clearance
     std::vector<double> near;            // clearance cost of each command
@@ -65,7 +65,7 @@ class DriveShortener {
   void shake(const Window& window);
   void leave_out(const Window& window);
   void split(const Window& window);
-  [[nodiscard]] double near_cost(const RigState& from, std::span<const Segment> segments,
+  [[nodiscard]] double near_cost(const State& from, std::span<const Segment> segments,
                                  double cutoff) const;
   [[nodiscard]] bool closes(const Window& window);
   bool try_trial(const Window& window, double limit);

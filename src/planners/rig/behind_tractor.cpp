@@ -85,7 +85,7 @@ class Follower {
   search::CostRule rule_;           // prices of the searches
   double unit_;                     // unit of the steps of a search [m]
   std::vector<Segment> way_;        // path of the tractor, cut into parts
-  std::vector<RigState> states_;    // states of the rig before each part, and at the goal
+  std::vector<State> states_;       // states of the rig before each part, and at the goal
   std::vector<double> curvatures_;  // curvatures before each part, and at the goal
   std::vector<bool> is_free_;       // whether the rig can drive each part freely
   std::map<Parts, std::vector<Segment>> solved_;  // drives that replace parts
@@ -107,12 +107,12 @@ Follower::Follower(const Task& task, const search::CostRule& rule, std::span<con
       way_.push_back(part_of(segment, size * i / parts, size * (i + 1) / parts));
     }
   }
-  RigState state{task.start, task.hitch_angles.start};
+  State state{task.start, task.hitch_angles.start};
   for (const Segment& part : way_) {
     states_.push_back(state);
     curvatures_.push_back(part.curvature);
     const bool is_forward = part.length > 0.0;
-    RigState next = advance(task.vehicle, state, part);
+    State next = advance(task.vehicle, state, part);
     const double fold = largest_hitch_angle(task.vehicle, state.hitch_angle, part);
     const bool folds = fold > task.vehicle.max_hitch_angle;
     is_free_.push_back(is_forward && !folds && task.checker->rig_is_free(Local(state), part));

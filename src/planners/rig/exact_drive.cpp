@@ -12,8 +12,8 @@ ExactDrive::ExactDrive(const Task& task)
 
 std::optional<std::vector<commands::Command>> ExactDrive::along(std::span<const Segment> segments) {
   if (segments.empty()) return std::nullopt;
-  const RigState from{task_.start, task_.hitch_angles.start};
-  const RigState to{task_.goal, task_.hitch_angles.goal};
+  const State from{task_.start, task_.hitch_angles.start};
+  const State to{task_.goal, task_.hitch_angles.goal};
   std::vector<commands::Command> commands = wheels_.commands(segments, ends_);
   if (!closer_.close(from, commands, to, ends_)) return std::nullopt;
   commands = wheels_.tidied(commands, ends_.before);

@@ -115,9 +115,8 @@ RigSearch::RigSearch(const Task& task, const CostRule& rule, const Guides& guide
              side_from({task.goal, task.hitch_angles.goal}, {task.start, task.hitch_angles.start},
                        ends_.after, search::reversed(priced(rule), 0), guides.to_start)} {}
 
-RigSearch::Side RigSearch::side_from(const RigState& root, const RigState& target,
-                                     const Driven& before, const CostRule& rule,
-                                     const search::GridDistance& grid) const {
+RigSearch::Side RigSearch::side_from(const State& root, const State& target, const Driven& before,
+                                     const CostRule& rule, const search::GridDistance& grid) const {
   Side side{.rule = rule,
             .root = root,
             .target = target,
@@ -137,7 +136,7 @@ std::int64_t RigSearch::nodes() const {
 
 /// Level of the steps at a state: how many of w, w/2, w/4 and so on are larger than the room there,
 /// where w is the width of the vehicle.
-int RigSearch::level_at(const RigState& state) const {
+int RigSearch::level_at(const State& state) const {
   if (fineness_.levels <= 1) return 0;
   double least = task_.vehicle.width;
   const double room = task_.checker->rig_clearance(Local(state), least, least);
@@ -146,7 +145,7 @@ int RigSearch::level_at(const RigState& state) const {
   return level;
 }
 
-std::uint64_t RigSearch::key_of(const RigState& state, int level) const {
+std::uint64_t RigSearch::key_of(const State& state, int level) const {
   const auto index = [](double value) {
     return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(value)));
   };
@@ -161,7 +160,7 @@ std::uint64_t RigSearch::key_of(const RigState& state, int level) const {
 
 /// Cost-to-go: the largest of the lengths of tractor and trailer on open ground and the way around
 /// obstacles, and something for the change of the hitch angle.
-RigSearch::ToGo RigSearch::to_go(const Side& side, const RigState& state) const {
+RigSearch::ToGo RigSearch::to_go(const Side& side, const State& state) const {
   const CostRule& rule = side.rule;
   const double cheapest = std::min(rule.forward_weight, rule.reverse_weight);
   const double tractor =
@@ -232,9 +231,9 @@ void RigSearch::add_children(Side& side, std::int32_t id) {
 }
 
 /// The state behind a primitive, whose command is driven as `obeyed`.
-RigState RigSearch::after(const Parent& parent, const Primitive& primitive,
-                          const Obeyed& obeyed) const {
-  RigState state = parent.node.state;
+State RigSearch::after(const Parent& parent, const Primitive& primitive,
+                       const Obeyed& obeyed) const {
+  State state = parent.node.state;
   if (obeyed.count > 1 || obeyed.segments[0].curvature_rate != 0.0) {
     for (const Segment& segment : obeyed.view()) state = advance(task_.vehicle, state, segment);
     return state;
@@ -251,7 +250,7 @@ void RigSearch::add(Side& side, const Parent& parent, Primitive primitive) {
   const Node& from = parent.node;
   Driven driven = from.driven;
   Obeyed obeyed = wheels_.obey(primitive.command, driven);
-  RigState state = after(parent, primitive, obeyed);
+  State state = after(parent, primitive, obeyed);
   for (int i = 0; std::abs(state.hitch_angle) > task_.vehicle.max_hitch_angle; ++i) {
     if (i == most_halvings) return;
     const Command& command = primitive.command;
@@ -293,7 +292,7 @@ void RigSearch::meet(std::size_t which, std::int32_t id) {
   }
   for (const double angle : {0.0, -0.7, 0.7}) {
     for (const double heading : {0.0, -0.7, 0.7}) {
-      RigState beside = state;
+      State beside = state;
       beside.pose.heading += heading * std::ldexp(heading_cell_, -level);
       beside.hitch_angle += angle * std::ldexp(angle_cell_, -level);
       const auto there = other.cells.find(key_of(beside, level));
@@ -334,8 +333,8 @@ void RigSearch::bridge(std::size_t which, std::int32_t id) {
   const std::int32_t partner = bridges_++ / 2 % 2 == 0 ? other.latest : other.nearest;
   const std::int32_t from = which == 0 ? id : partner;
   const std::int32_t to = which == 0 ? partner : id;
-  const RigState& begin = sides_[0].nodes[static_cast<std::size_t>(from)].state;
-  const RigState& end = sides_[1].nodes[static_cast<std::size_t>(to)].state;
+  const State& begin = sides_[0].nodes[static_cast<std::size_t>(from)].state;
+  const State& end = sides_[1].nodes[static_cast<std::size_t>(to)].state;
   if (!is_in_sight(begin.pose, end.pose) && ++out_of_sight_ % 2 != 0) return;
   const auto piece = steering_->steer_quickly(begin, end);
   if (!piece || !search::may_drive(sides_[0].rule, piece->view())) return;
@@ -353,7 +352,7 @@ void RigSearch::join(std::int32_t forward, std::int32_t backward,
   found_ = exact_.along(segments);
 }
 
-bool RigSearch::is_free(const RigState& from, std::span<const Segment> segments) {
+bool RigSearch::is_free(const State& from, std::span<const Segment> segments) {
   checks_ += static_cast<std::int64_t>(segments.size());
   return task_.checker->rig_is_free(Local(from), segments);
 }

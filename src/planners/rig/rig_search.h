@@ -77,7 +77,7 @@ class RigSearch {
  private:
   /// State that was reached, with its command from the parent.
   struct Node {
-    RigState state;
+    State state;
     Command command;        // command from the parent
     search::Driven driven;  // gear and curvature at the end of the command
     double cost;            // cost-to-come [m]
@@ -111,7 +111,7 @@ class RigSearch {
   /// One of the two searches.
   struct Side {
     CostRule rule;  // prices of driving from the root
-    RigState root, target;
+    State root, target;
     search::Driven before;  // gear and curvature at the root
     Pose target_trailer;
     const search::GridDistance* grid;
@@ -122,21 +122,20 @@ class RigSearch {
     std::int32_t latest = 0;   // reached node that was expanded last
   };
 
-  [[nodiscard]] Side side_from(const RigState& root, const RigState& target,
-                               const search::Driven& before, const CostRule& rule,
-                               const search::GridDistance& grid) const;
-  [[nodiscard]] std::uint64_t key_of(const RigState& state, int level) const;
-  [[nodiscard]] int level_at(const RigState& state) const;
+  [[nodiscard]] Side side_from(const State& root, const State& target, const search::Driven& before,
+                               const CostRule& rule, const search::GridDistance& grid) const;
+  [[nodiscard]] std::uint64_t key_of(const State& state, int level) const;
+  [[nodiscard]] int level_at(const State& state) const;
   /// Estimate and lower bound of the cost-to-go [m].
   struct ToGo {
     double guess, least;
   };
-  [[nodiscard]] ToGo to_go(const Side& side, const RigState& state) const;
+  [[nodiscard]] ToGo to_go(const Side& side, const State& state) const;
   bool expand(std::size_t which);
   void add_children(Side& side, std::int32_t id);
   void add(Side& side, const Parent& parent, Primitive primitive);
-  [[nodiscard]] RigState after(const Parent& parent, const Primitive& primitive,
-                               const Obeyed& obeyed) const;
+  [[nodiscard]] State after(const Parent& parent, const Primitive& primitive,
+                            const Obeyed& obeyed) const;
   [[nodiscard]] bool turn_in_time(const search::Driven& here, const search::Driven& there,
                                   int level) const;
   void meet(std::size_t which, std::int32_t id);
@@ -144,7 +143,7 @@ class RigSearch {
   [[nodiscard]] bool is_in_sight(const Pose& from, const Pose& to);
   void bridge(std::size_t which, std::int32_t id);
   void join(std::int32_t forward, std::int32_t backward, std::span<const Segment> between = {});
-  [[nodiscard]] bool is_free(const RigState& from, std::span<const Segment> segments);
+  [[nodiscard]] bool is_free(const State& from, std::span<const Segment> segments);
 
   const Task& task_;
   Wheels wheels_;
