@@ -85,7 +85,7 @@ std::vector<Arc> free_arcs(const CollisionChecker& checker, const Vehicle& vehic
           uniform(-std::numbers::pi, std::numbers::pi, rng)},
          uniform(-0.8, 0.8, rng)},
         {uniform(-1, 1, rng) / vehicle.min_turning_radius, uniform(-1, 1, rng) < 0 ? -3.0 : 3.0}};
-    if (checker.rig_is_free(Local(arc.from), arc.segment)) arcs.push_back(arc);
+    if (checker.is_free(Local(arc.from), arc.segment)) arcs.push_back(arc);
   }
   return arcs;
 }
@@ -97,7 +97,7 @@ void BM_check_rig(benchmark::State& state) {
   std::size_t i = 0;
   for (auto _ : state) {
     const Arc& arc = arcs[i++ % arcs.size()];
-    benchmark::DoNotOptimize(checker.rig_is_free(Local(arc.from), arc.segment));
+    benchmark::DoNotOptimize(checker.is_free(Local(arc.from), arc.segment));
   }
 }
 
@@ -108,7 +108,7 @@ void BM_check_tractor(benchmark::State& state) {
   std::size_t i = 0;
   for (auto _ : state) {
     const Arc& arc = arcs[i++ % arcs.size()];
-    benchmark::DoNotOptimize(checker.is_free(Local(arc.from.pose), arc.segment));
+    benchmark::DoNotOptimize(checker.tractor_is_free(Local(arc.from.pose), {&arc.segment, 1}));
   }
 }
 

@@ -91,8 +91,7 @@ Case any_case(bool is_open, std::uint64_t seed) {
     Problem problem = make_problem(scenario);
     const Task& task = problem.task();
     const bool is_free =
-        task.checker->rig_is_free(Local(State{task.start, task.hitch_angles.start})) &&
-        task.checker->rig_is_free(Local(State{task.goal, task.hitch_angles.goal}));
+        task.checker->is_free(start_state(task)) && task.checker->is_free(goal_state(task));
     if (is_free) return {name, std::move(problem), cost};
   }
 }

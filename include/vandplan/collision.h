@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Is the footprint free of obstacles, and the rear axle inside the bounds?
+// Is the vehicle free of obstacles, and its rear axle inside the bounds?
 //
 // Checks along an edge are exact, without a step size. docs/algorithms/collision.md says how, and
 // why no hit is ever missed.
@@ -55,16 +55,18 @@ struct Margin {
 };
 
 /// Answers collision queries for one vehicle among fixed obstacles. It is immutable after
-/// construction and safe to share between threads. Only the functions `rig_...` look at a trailer.
+/// construction and safe to share between threads. A trailer counts; with a bare pose it stands
+/// straight behind its tractor. Only functions with `tractor` in their name leave it out.
 ///
-/// Local poses and points are in the frame of the checker. It is that of the world from which the
+/// Local states and points are in the frame of the checker. It is that of the world from which the
 /// checker comes (`to_local`), or that of the surroundings it was made of. A world puts thin
 /// obstacles, fences, around the areas of `inside`. A checker that is made of surroundings adds no
 /// fences.
 ///
-/// Promise: what is accepted keeps the closed footprint clear of every closed obstacle by more than
-/// the margin, and the rear axle inside the bounds. What has a clearance above the margin plus
-/// `tolerance` is accepted.
+/// Promise: what is accepted keeps the closed footprints clear of every closed obstacle by more
+/// than the margin, and the rear axle inside the bounds. The bounds do not hold for a trailer, and
+/// its hitch angle is not limited here. What has a clearance above the margin plus `tolerance` is
+/// accepted.
 class CollisionChecker {
  public:
   /// Clearance beyond the margin above which everything is accepted [m].
@@ -84,44 +86,43 @@ class CollisionChecker {
   CollisionChecker(const CollisionChecker&) = delete;
   CollisionChecker& operator=(const CollisionChecker&) = delete;
 
-  /// Whether the vehicle is free at the pose: it keeps its margin, and its rear axle is in the
-  /// bounds. False for a pose that is not finite.
-  [[nodiscard]] bool is_free(const LocalPose& pose) const noexcept;
+  /// Whether the vehicle is free in the state: it keeps its margin, and its rear axle is in the
+  /// bounds. False for a state that is not finite.
+  [[nodiscard]] bool is_free(const LocalState& state) const noexcept;
 
   /// Whether all ground swept from `from` along the segment is free, both ends included.
-  [[nodiscard]] bool is_free(const LocalPose& from, const Segment& segment) const noexcept;
+  [[nodiscard]] bool is_free(const LocalState& from, const Segment& segment) const noexcept;
 
   /// Whether all ground swept from `from` along the segments, one after the other, is free.
-  [[nodiscard]] bool is_free(const LocalPose& from,
+  [[nodiscard]] bool is_free(const LocalState& from,
                              std::span<const Segment> segments) const noexcept;
 
-  /// Whether vehicle and trailer are free in that state; the vehicle alone if it has no trailer.
-  /// The hitch angle is not limited here, and the bounds do not hold for the trailer.
-  [[nodiscard]] bool rig_is_free(const Local<State>& state) const noexcept;
+  /// `is_free` of the tractor alone, as if it pulled no trailer.
+  [[nodiscard]] bool tractor_is_free(const LocalPose& from,
+                                     std::span<const Segment> segments = {}) const noexcept;
 
-  /// Whether all ground that vehicle and trailer sweep from `from` along the segment is free, both
-  /// ends included.
-  [[nodiscard]] bool rig_is_free(const Local<State>& from, const Segment& segment) const noexcept;
-
-  /// Whether all ground that vehicle and trailer sweep from `from` along the segments, one after
-  /// the other, is free.
-  [[nodiscard]] bool rig_is_free(const Local<State>& from,
-                                 std::span<const Segment> segments) const noexcept;
-
-  /// Least distance of the body from obstacles and blocked cells, and of the wheels from kerbs, but
-  /// at most `most` [m]. It is 0 if they touch, with the rear axle outside all areas of `inside`,
-  /// and for a pose that is not finite. The bounds do not count, and the margin is not taken off.
-  /// If the distance is at least `enough`, the result may be any number from `enough` to that
+  /// Least distance of the bodies from obstacles and blocked cells, and of the wheels from kerbs,
+  /// but at most `most` [m]. It is 0 if they touch, with an axle outside all areas of `inside`, and
+  /// for a state that is not finite. The bounds do not count, and the margin is not taken off. If
+  /// the distance is at least `enough`, the result may be any number from `enough` to that
   /// distance, which is faster.
   [[nodiscard]] double clearance(
-      const LocalPose& pose, double most,
+      const LocalState& state, double most,
       double enough = std::numeric_limits<double>::infinity()) const noexcept;
 
-  /// Least distance of vehicle and trailer from obstacles and blocked cells, and of their wheels
-  /// from kerbs [m]. `most` and `enough` are those of `clearance`.
-  [[nodiscard]] double rig_clearance(
-      const Local<State>& state, double most,
-      double enough = std::numeric_limits<double>::infinity()) const noexcept;
+  [[deprecated("write is_free")]] [[nodiscard]] bool rig_is_free(
+      const LocalState& from, std::span<const Segment> segments = {}) const noexcept {
+    return is_free(from, segments);
+  }
+  [[deprecated("write is_free")]] [[nodiscard]] bool rig_is_free(
+      const LocalState& from, const Segment& segment) const noexcept {
+    return is_free(from, segment);
+  }
+  [[deprecated("write clearance")]] [[nodiscard]] double rig_clearance(
+      const LocalState& state, double most,
+      double enough = std::numeric_limits<double>::infinity()) const noexcept {
+    return clearance(state, most, enough);
+  }
 
   /// Whether a blocked cell of the map is at most `distance` from the point [m]. False without a
   /// map.

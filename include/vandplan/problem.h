@@ -144,6 +144,15 @@ struct Task {
   std::vector<MovingObstacle> moving = {};  ///< moving obstacles, which `checker` does not know
 };
 
+/// Start of a task: its pose and hitch angle.
+[[nodiscard]] inline LocalState start_state(const Task& task) noexcept {
+  return Local(State{task.start, task.hitch_angles.start});
+}
+/// Goal of a task: its pose and hitch angle.
+[[nodiscard]] inline LocalState goal_state(const Task& task) noexcept {
+  return Local(State{task.goal, task.hitch_angles.goal});
+}
+
 /// One vehicle, start and goal in a world. A problem is checked, immutable and cheap to copy.
 class Problem {
  public:
@@ -235,8 +244,13 @@ void check_map(const OccupancyGrid& map);
 [[nodiscard]] LocalPose to_local(const World& world, const Pose& pose) noexcept;
 /// A pose of the world's frame in the scenario's frame. The heading stays.
 [[nodiscard]] Pose to_scenario(const World& world, const LocalPose& pose) noexcept;
-/// A local pose is local already.
-LocalPose to_local(const World& world, const LocalPose& pose) = delete;
+/// A state of the scenario's frame in the world's frame. The hitch angle stays.
+[[nodiscard]] inline LocalState to_local(const World& world, const State& state) noexcept {
+  return Local(State{to_local(world, state.pose), state.hitch_angle});
+}
+/// What is local stays where it is.
+template <class T>
+void to_local(const World& world, const Local<T>& local) = delete;
 
 /// Region where planners draw samples. Driving is allowed everywhere in the bounds.
 enum class Region {

@@ -180,19 +180,18 @@ enum class ClearanceSampling {
 };
 using Looks [[deprecated("use ClearanceSampling")]] = ClearanceSampling;
 
-/// Surcharge near obstacles for driving the segments from a pose [m]. A trailer begins with the
-/// hitch angle of the task's start. Above `cutoff` [m] any larger number may come back. Method:
-/// docs/algorithms/anytime.md.
-[[nodiscard]] double clearance_cost(const Task& task, const CostRule& rule, const LocalPose& from,
+/// Surcharge near obstacles for driving the segments from a state, with the trailer [m]. Above
+/// `cutoff` [m] any larger number may come back. Method: docs/algorithms/anytime.md.
+[[nodiscard]] double clearance_cost(const Task& task, const CostRule& rule, const LocalState& from,
                                     std::span<const Segment> segments, ClearanceSampling sampling,
                                     double cutoff = std::numeric_limits<double>::infinity());
 
-/// Surcharge near obstacles for driving the segments from a state of the rig [m]; for the vehicle
-/// alone if it has no trailer. Above `cutoff` [m] any larger number may come back.
-[[nodiscard]] double rig_clearance_cost(const Task& task, const CostRule& rule,
-                                        const Local<State>& from, std::span<const Segment> segments,
-                                        ClearanceSampling sampling,
-                                        double cutoff = std::numeric_limits<double>::infinity());
+[[deprecated("write clearance_cost")]] [[nodiscard]] inline double rig_clearance_cost(
+    const Task& task, const CostRule& rule, const LocalState& from,
+    std::span<const Segment> segments, ClearanceSampling sampling,
+    double cutoff = std::numeric_limits<double>::infinity()) {
+  return clearance_cost(task, rule, from, segments, sampling, cutoff);
+}
 
 // ---- Which piece joins two poses, what does it cost, and may it be driven? ----
 
@@ -221,7 +220,9 @@ struct Connection {
 /// its wheels turn so slowly that it has turned around before full lock.
 [[nodiscard]] double continuous_radius(const Vehicle& vehicle) noexcept;
 
-/// Steers, prices and checks for one task, and counts these calls. Each thread needs its own.
+/// Steers, prices and checks for one task, and counts these calls. Each thread needs its own. It
+/// steers from pose to pose; prices and checks look at a trailer, too, which begins straight behind
+/// a bare pose.
 class Connector {
  public:
   /// A connector of the task, which must outlive it. `profile`: times are measured. Throws
@@ -229,7 +230,7 @@ class Connector {
   explicit Connector(const Task& task, const CostRule& rule = {}, bool profile = false);
 
   /// The piece of `steer` with its total cost, if that is below the cutoff and the piece is free.
-  [[nodiscard]] std::optional<Connection> connect(const LocalPose& from, const LocalPose& to,
+  [[nodiscard]] std::optional<Connection> connect(const LocalState& from, const LocalPose& to,
                                                   const Terms& terms = {});
 
   /// The word of least cost from pose to pose, obstacles apart; the shortest one under a neutral
@@ -254,9 +255,9 @@ class Connector {
   /// next piece is included, if there is one.
   [[nodiscard]] double cost(const Piece& piece, const DrivenBeside& beside = {}) const;
 
-  /// Surcharge near obstacles for the segments from a pose [m]; above `cutoff` any larger number.
+  /// Surcharge near obstacles for the segments from a state [m]; above `cutoff` any larger number.
   [[nodiscard]] double clearance_cost(
-      const LocalPose& from, std::span<const Segment> segments,
+      const LocalState& from, std::span<const Segment> segments,
       double cutoff = std::numeric_limits<double>::infinity()) const {
     return rule_.clearance_weight == 0.0
                ? 0.0
@@ -264,14 +265,14 @@ class Connector {
                                         cutoff);
   }
 
-  /// Whether the vehicle is free on the whole piece, on the segment, or at the pose.
-  [[nodiscard]] bool is_free(const LocalPose& from, const Piece& piece);
-  [[nodiscard]] bool is_free(const LocalPose& from, const Segment& segment);
-  [[nodiscard]] bool is_free(const LocalPose& pose) const { return checker_.is_free(pose); }
+  /// Whether the vehicle is free on the whole piece, on the segment, or in the state.
+  [[nodiscard]] bool is_free(const LocalState& from, const Piece& piece);
+  [[nodiscard]] bool is_free(const LocalState& from, const Segment& segment);
+  [[nodiscard]] bool is_free(const LocalState& state) const { return checker_.is_free(state); }
 
   /// The free begin of the piece, found by halving. Where the curvature is continuous it ends with
   /// straight wheels.
-  [[nodiscard]] Piece free_prefix(const LocalPose& from, const Piece& piece);
+  [[nodiscard]] Piece free_prefix(const LocalState& from, const Piece& piece);
 
   /// The vehicle's turning radius [m].
   [[nodiscard]] double radius() const { return radius_; }

@@ -234,6 +234,10 @@ struct CollisionChecker::Data {
     return ground->map->clearance({standing.shape, standing.slim}, placement, least, enough);
   }
 
+  [[nodiscard]] bool is_tractor_free(const Pose& from,
+                                     std::span<const Segment> segments) const noexcept;
+  [[nodiscard]] bool is_trailer_free(const State& from,
+                                     std::span<const Segment> segments) const noexcept;
   [[nodiscard]] bool keeps_margin(const PlacedSegment& placed) const noexcept;
   [[nodiscard]] bool crosses_nothing(const ClothoidPart& part, double reach) const noexcept;
   [[nodiscard]] bool crosses_nothing(Placement& placement, const Segment& clothoid) const noexcept;
@@ -313,6 +317,39 @@ bool CollisionChecker::Data::crosses_nothing(const TrailerPart& part) const noex
   return crosses_nothing(first) && crosses_nothing(second);
 }
 
+bool CollisionChecker::Data::is_tractor_free(const Pose& from,
+                                             std::span<const Segment> segments) const noexcept {
+  if (!is_outside({from.x, from.y})) return false;
+  Placement placement = placement_of(from);
+  for (const Segment& segment : segments) {
+    if (!std::isfinite(segment.curvature + segment.length + segment.curvature_rate)) return false;
+    if (segment.curvature_rate != 0.0 && segment.length != 0.0) {
+      if (!crosses_nothing(placement, segment)) return false;
+      continue;
+    }
+    const PlacedSegment placed(placement, segment);
+    if (!crosses_nothing(placed, ground->bounds)) return false;
+    placement = placed.to;
+  }
+  return true;
+}
+
+/// Whether the trailer is free while its tractor drives free segments.
+bool CollisionChecker::Data::is_trailer_free(const State& from,
+                                             std::span<const Segment> segments) const noexcept {
+  if (!std::isfinite(from.hitch_angle)) return false;
+  const Vehicle& vehicle = towed->vehicle;
+  RigPlacement rig(vehicle, placement_of(from.pose), from.hitch_angle);
+  if (!is_trailer_outside(rig.trailer.position)) return false;
+  if (!begin_together({from.pose.x, from.pose.y}, rig.trailer.position)) return false;
+  for (const Segment& segment : segments) {
+    const TrailerPart part(vehicle, rig, segment);
+    if (part.is_too_long() || !crosses_nothing(part)) return false;
+    rig = part.to();
+  }
+  return true;
+}
+
 double Margin::least() const noexcept {
   double least = wanted;
   for (const MarginRamp& ramp : ramps) least = std::min(least, ramp.least);
@@ -337,68 +374,34 @@ CollisionChecker::CollisionChecker(const Vehicle& vehicle,
 
 CollisionChecker::~CollisionChecker() = default;
 
-bool CollisionChecker::is_free(const LocalPose& pose) const noexcept {
-  return is_free(pose, Segment{});
+bool CollisionChecker::is_free(const LocalState& state) const noexcept {
+  return is_free(state, Segment{});
 }
 
-bool CollisionChecker::is_free(const LocalPose& from, const Segment& segment) const noexcept {
+bool CollisionChecker::is_free(const LocalState& from, const Segment& segment) const noexcept {
   return is_free(from, std::span<const Segment>(&segment, 1));
 }
 
-bool CollisionChecker::is_free(const LocalPose& from,
+bool CollisionChecker::is_free(const LocalState& from,
                                std::span<const Segment> segments) const noexcept {
   if (segments.empty()) return is_free(from);
-  if (!data_->is_outside({from.x, from.y})) return false;
-  Placement placement = placement_of(from);
-  for (const Segment& segment : segments) {
-    if (!std::isfinite(segment.curvature + segment.length + segment.curvature_rate)) return false;
-    if (segment.curvature_rate != 0.0 && segment.length != 0.0) {
-      if (!data_->crosses_nothing(placement, segment)) return false;
-      continue;
-    }
-    const PlacedSegment placed(placement, segment);
-    if (!data_->crosses_nothing(placed, data_->ground->bounds)) return false;
-    placement = placed.to;
-  }
-  return true;
+  return data_->is_tractor_free(from.pose, segments) &&
+         (!data_->towed || data_->is_trailer_free(from, segments));
 }
 
-bool CollisionChecker::rig_is_free(const Local<State>& state) const noexcept {
-  return rig_is_free(state, Segment{});
+bool CollisionChecker::tractor_is_free(const LocalPose& from,
+                                       std::span<const Segment> segments) const noexcept {
+  constexpr Segment standing;
+  return data_->is_tractor_free(from, segments.empty() ? std::span(&standing, 1) : segments);
 }
 
-bool CollisionChecker::rig_is_free(const Local<State>& from,
-                                   const Segment& segment) const noexcept {
-  return rig_is_free(from, std::span<const Segment>(&segment, 1));
-}
-
-bool CollisionChecker::rig_is_free(const Local<State>& from,
-                                   std::span<const Segment> segments) const noexcept {
-  if (!is_free(Local(from.pose), segments)) return false;
-  if (!data_->towed) return true;
-  if (segments.empty()) return rig_is_free(from);
-  const Vehicle& vehicle = data_->towed->vehicle;
-  RigPlacement rig(vehicle, placement_of(from.pose), from.hitch_angle);
-  if (!data_->is_trailer_outside(rig.trailer.position)) return false;
-  if (!data_->begin_together({from.pose.x, from.pose.y}, rig.trailer.position)) return false;
-  for (const Segment& segment : segments) {
-    const TrailerPart part(vehicle, rig, segment);
-    if (part.is_too_long() || !data_->crosses_nothing(part)) return false;
-    rig = part.to();
-  }
-  return true;
-}
-
-double CollisionChecker::clearance(const LocalPose& pose, double most,
+double CollisionChecker::clearance(const LocalState& state, double most,
                                    double enough) const noexcept {
-  if (!std::isfinite(pose.x + pose.y + pose.heading)) return 0.0;
-  return data_->clearance(data_->body, placement_of(pose), most, enough);
-}
-
-double CollisionChecker::rig_clearance(const Local<State>& state, double most,
-                                       double enough) const noexcept {
-  const double of_tractor = clearance(Local(state.pose), most, enough);
+  const auto& [x, y, heading] = state.pose;
+  if (!std::isfinite(x + y + heading)) return 0.0;
+  const double of_tractor = data_->clearance(data_->body, placement_of(state.pose), most, enough);
   if (!data_->towed || of_tractor == 0.0) return of_tractor;
+  if (!std::isfinite(state.hitch_angle)) return 0.0;
   const Placement trailer = placement_of(trailer_pose(data_->towed->vehicle, state));
   return data_->clearance(data_->towed->body, trailer, of_tractor, enough);
 }

@@ -282,7 +282,7 @@ void Drive::execute(const Command& command) {
     move_on(state_, moved, vehicle_);
     const Segment arc = arc_of(moved, vehicle_, error_);
     const State from = real_;
-    real_ = moved_by(vehicle_, from, arc);
+    real_ = advance(vehicle_, from, arc);
     const double way = std::abs(arc.length);
     offset_ = stroke.offset_of(real_.pose, offset_.place.s + way);
     errors_.add(stroke, offset_, real_.pose, way);

@@ -68,7 +68,7 @@ Execution executed(const Problem& problem, const Path& path, const std::vector<M
   Execution result{.passes = true, .reason = too_sharp(path, vehicle)};
   State state{to_local(*problem.world(), path.start), problem.hitch_angles().start};
   State wanted = state;  // planned state at the end
-  for (const Segment& segment : path.segments) wanted = moved_by(vehicle, wanted, segment);
+  for (const Segment& segment : path.segments) wanted = advance(vehicle, wanted, segment);
   const auto look = [&](const Segment& arc, const State& to) {
     const auto what = watch.look(state, arc, to);
     if (what && result.reason.empty()) {
@@ -88,7 +88,7 @@ Execution executed(const Problem& problem, const Path& path, const std::vector<M
     const auto [sin, cos] = base::sin_cos(wheels + turned / 2);
     const double way = next.s - now.s;
     const Segment arc{sin / cos / vehicle.wheelbase, way > 0.0 ? now.direction * way : 0.0};
-    const State to = moved_by(vehicle, state, arc);
+    const State to = advance(vehicle, state, arc);
     result.duration += next.t - now.t;
     wheels += turned;
     if (way > 0.0) look(arc, to);

@@ -47,13 +47,9 @@ Segment arc_of(const Moved& moved, const Vehicle& vehicle, const ActuatorError& 
   return {sin / cos / vehicle.wheelbase, moved.length * (1 + error.speed_share)};
 }
 
-State moved_by(const Vehicle& vehicle, const State& from, const Segment& arc) noexcept {
-  if (vehicle.trailer) return advance(vehicle, from, arc);
-  return {advance(from.pose, arc), 0.0};
-}
-
 void move_on(MovingState& state, const Moved& moved, const Vehicle& vehicle) noexcept {
-  const State there = moved_by(vehicle, {state.pose, state.hitch_angle}, arc_of(moved, vehicle));
+  const State from{state.pose, state.hitch_angle};
+  const State there = advance(vehicle, from, arc_of(moved, vehicle));
   state.pose = there.pose;
   state.hitch_angle = there.hitch_angle;
 }

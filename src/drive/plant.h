@@ -65,10 +65,6 @@ struct Moved {
 [[nodiscard]] Segment arc_of(const Moved& moved, const Vehicle& vehicle,
                              const ActuatorError& error = {}) noexcept;
 
-/// State of vehicle and trailer after an arc; the hitch angle is 0 without a trailer.
-[[nodiscard]] State moved_by(const Vehicle& vehicle, const State& from,
-                             const Segment& arc) noexcept;
-
 /// Advances pose and hitch angle of `state` by a motion without actuator errors.
 void move_on(MovingState& state, const Moved& moved, const Vehicle& vehicle) noexcept;
 

@@ -78,7 +78,7 @@ double Watch::most_moved(const Segment& arc) const noexcept {
 void Watch::look_at(const State& state) {
   constexpr double further = 2.0;  // distance beyond the least clearance that is searched [m]
   const double most = std::isinf(least_) ? 1e3 : least_ + further;
-  const double clearance = checker_->rig_clearance(Local(state), most);
+  const double clearance = checker_->clearance(Local(state), most);
   if (clearance < most) least_ = std::min(least_, clearance);
   free_ = clearance;
   nothing_ = std::isinf(least_) ? clearance : clearance - least_;
@@ -97,7 +97,7 @@ std::optional<std::string> Watch::look(const State& from, const Segment& arc, co
   const bool was_free = moved < free_ - CollisionChecker::tolerance;
   free_ -= moved;
   nothing_ -= moved;
-  if (!was_free && !checker_->rig_is_free(Local(from), arc)) {
+  if (!was_free && !checker_->is_free(Local(from), arc)) {
     std::string what = touched(from, arc, to);
     if (!what.empty()) {
       has_touched_ = true;

@@ -80,7 +80,7 @@ std::optional<Adoption> GrownTree::try_rig_edge(NodeId node, const State& to, do
   if (cost >= cutoff) return std::nullopt;
   rig_checking_time_.start();
   ++rig_checks_;
-  const bool is_free = task_.checker->rig_is_free(Local(state(node)), piece->view());
+  const bool is_free = task_.checker->is_free(Local(state(node)), piece->view());
   rig_checking_time_.stop();
   if (!is_free) return std::nullopt;
   return Adoption{node, cost};
@@ -109,7 +109,7 @@ bool GrownTree::keep_way(const Adoption& to_goal) {
   std::vector<commands::Command> chain = wheels.commands(way, {});
   if (!commands::Closer(task_.vehicle).close(state(0), chain, goal())) return false;
   way = wheels.driven(chain, {});
-  if (!task_.checker->rig_is_free(Local(state(0)), way)) return false;
+  if (!task_.checker->is_free(Local(state(0)), way)) return false;
   way_ = std::move(way);
   return true;
 }

@@ -44,7 +44,7 @@ class GrownTree {
   /// it ends exactly at the goal, and checked again.
   bool keep_way(const Adoption& to_goal);
   /// State at the goal of the task.
-  [[nodiscard]] State goal() const { return {task_.goal, task_.hitch_angles.goal}; }
+  [[nodiscard]] State goal() const { return goal_state(task_); }
   [[nodiscard]] bool is_full() const { return tree_.size() >= max_nodes_; }
   [[nodiscard]] const search::Tree& nodes() const { return tree_; }
 

@@ -15,7 +15,7 @@ constexpr double least_part = 0.1;  // least length of a cut way [ranges]
 }  // namespace
 
 Sampler::Sampler(const Task& task, const PlanOptions& options)
-    : goal_{task.goal, task.hitch_angles.goal},
+    : goal_(goal_state(task)),
       most_hitch_angle_(task.vehicle.trailer ? task.vehicle.max_hitch_angle : 0.0),
       region_(sampling_region(task, region_of(options))),
       goal_bias_(options.planner.number("goal_bias")),

@@ -12,8 +12,7 @@
 namespace vandplan::in_time {
 
 std::string proof_of_none(const Task& task, double margin) {
-  const auto [first_angle, last_angle] = task.hitch_angles;
-  const State start{task.start, first_angle}, goal{task.goal, last_angle};
+  const State start = start_state(task), goal = goal_state(task);
   const Path none{task.start, {}};
   constexpr double any = std::numeric_limits<double>::infinity();
   const moving::Encounters encounters({none, task.vehicle}, task.moving, margin);

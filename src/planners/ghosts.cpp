@@ -81,11 +81,7 @@ std::optional<Task> task_around(const Task& task, std::span<const Ghost> ghosts,
                                          task.curvatures, task.hitch_angles);
     Task around = task_of(problem, clearance, task.steering);
     const CollisionChecker& checker = *around.checker;
-    const auto [first, last] = task.hitch_angles;
-    if (checker.rig_is_free(Local(State{task.start, first})) &&
-        checker.rig_is_free(Local(State{task.goal, last}))) {
-      return around;
-    }
+    if (checker.is_free(start_state(task)) && checker.is_free(goal_state(task))) return around;
   } catch (const InputError&) {
     // By a rounding error a turned outline may touch itself. It is no obstacle then.
   }

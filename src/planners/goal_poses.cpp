@@ -66,7 +66,7 @@ Point place_in_box(const GoalRegion& region, const GoalPoint& point) {
 
 }  // namespace
 
-Local<State> state_of(const Task& task, const GoalPoint& point) {
+LocalState state_of(const Task& task, const GoalPoint& point) {
   const GoalRegion& region = task.goal_set[point.region];
   Point place = place_in_box(region, point);
   if (!region.area.empty()) place = moved_into(region.area, place);

@@ -20,7 +20,7 @@ struct GoalPoint {
 };
 
 /// State of the vehicle at a goal, in the world's frame; heading in [-pi, pi).
-[[nodiscard]] Local<State> state_of(const Task& task, const GoalPoint& point);
+[[nodiscard]] LocalState state_of(const Task& task, const GoalPoint& point);
 
 /// Number of intervals of a region that are longer than 0: of x, y, heading and hitch angle.
 [[nodiscard]] std::size_t number_of_intervals(const Task& task, std::size_t region);

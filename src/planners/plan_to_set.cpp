@@ -144,11 +144,11 @@ class SetRun {
 
   /// The goal at a point; none if the vehicle cannot stand there.
   [[nodiscard]] std::optional<Candidate> candidate_at(const GoalPoint& point) const {
-    const Local<State> state = state_of(task_, point);
+    const LocalState state = state_of(task_, point);
     Candidate goal{.point = point,
                    .task = problem::task_to(alone_, state, task_.goal_set[point.region].curvature,
                                             options_.clearance)};
-    if (!goal.task.checker->rig_is_free(state)) return std::nullopt;
+    if (!goal.task.checker->is_free(state)) return std::nullopt;
     goal.bound = cost_lower_bound_to(goal.task);
     return goal;
   }

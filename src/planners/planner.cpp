@@ -23,18 +23,17 @@ constexpr double rounding = 1e-12;  // relative rounding of a sum of lengths
 /// Answer that needs no search: start or goal are not free, or the goal is the start.
 std::optional<PlannerAnswer> settled(const Task& task) {
   PlannerAnswer answer;
-  const auto [first_angle, last_angle] = task.hitch_angles;
-  if (!task.checker->rig_is_free(Local(State{task.start, first_angle}))) {
+  if (!task.checker->is_free(start_state(task))) {
     answer.status = PlanStatus::start_in_collision;
     return answer;
   }
   if (!task.goal_set.empty()) return std::nullopt;
-  if (!task.checker->rig_is_free(Local(State{task.goal, last_angle}))) {
+  if (!task.checker->is_free(goal_state(task))) {
     answer.status = PlanStatus::goal_in_collision;
     return answer;
   }
   if (!task.moving.empty()) return std::nullopt;  // an obstacle may come by
-  if (first_angle != last_angle) return std::nullopt;
+  if (task.hitch_angles.start != task.hitch_angles.goal) return std::nullopt;
   const double radius = task.vehicle.min_turning_radius;
   if (reeds_shepp_length(task.start, task.goal, radius) > 0.0) return std::nullopt;
   answer.status = PlanStatus::solved;

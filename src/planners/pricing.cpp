@@ -54,7 +54,7 @@ Pricing::Pricing(const Task& task, const CostOptions& cost, double time_price, d
 double Pricing::near_cost(std::span<const Segment> segments,
                           search::ClearanceSampling sampling) const {
   if (is_time_ || prices_.clearance_weight == 0.0) return 0.0;
-  return search::clearance_cost(task_, prices_, task_.start, segments, sampling);
+  return search::clearance_cost(task_, prices_, start_state(task_), segments, sampling);
 }
 
 double Pricing::path_cost(std::span<const Segment> segments, double near) const {

@@ -144,14 +144,12 @@ class Through final : public PathSearch {
   /// Sets the hitch angle at the refuge, where a trailer arrives a little askew. The path to the
   /// refuge then stays as it is.
   void begin_second() {
-    State state{tasks_[0].start, tasks_[0].hitch_angles.start};
+    State state = start_state(tasks_[0]);
     if (!tasks_[0].vehicle.trailer) return;
-    for (const Segment& segment : paths_[0]) state = advance_rig(state, segment);
+    for (const Segment& segment : paths_[0]) {
+      state = vandplan::advance(tasks_[0].vehicle, state, segment);
+    }
     tasks_[1].hitch_angles.start = state.hitch_angle;
-  }
-
-  [[nodiscard]] State advance_rig(const State& state, const Segment& segment) const {
-    return vandplan::advance(tasks_[0].vehicle, state, segment);
   }
 
   std::array<Task, 2> tasks_;
@@ -179,7 +177,7 @@ std::optional<Detour> Refuges::draw(const Path& path, std::size_t passing) {
   for (int i = 0; i < poses_of_draw && looks < free_poses_of_draw; ++i) {
     const double s = uniform01(rng_) * length(path);
     const LocalPose refuge = pose_beside(Local(pose_at(path, s)));
-    if (!task_.checker->rig_is_free(Local(State{refuge, 0.0}))) continue;
+    if (!task_.checker->is_free(refuge)) continue;
     ++looks;
     std::optional<Detour> detour = this->detour(path, s, refuge);
     if (!detour) continue;
@@ -259,10 +257,9 @@ bool Refuges::lets_pass(const LocalPose& pose, std::size_t passing) const {
   const double begin = way / top_speed(task_.vehicle);
   const double end = std::max(encounters.rests(passing), begin);
   const double step = std::max(look_step, (end - begin) / max_steps);
-  const State state{pose, 0.0};
   const auto gap = [&](std::size_t i, double t) {
     const std::optional<double> leaves = encounters.leaves(i);
-    return leaves && *leaves < t ? infinity : encounters.gap(i, state, t, infinity);
+    return leaves && *leaves < t ? infinity : encounters.gap(i, pose, t, infinity);
   };
   double nearest = infinity, passes = begin;
   for (double t = begin; t <= end; t += step) {

@@ -108,7 +108,7 @@ State some_goal(const Vehicle& vehicle, const GoalRegion& region) {
   return state_at(vehicle, region, some_pose(region), middle_of(region.hitch_angle));
 }
 
-Task task_to(const Task& task, const Local<State>& goal, double curvature,
+Task task_to(const Task& task, const LocalState& goal, double curvature,
              const ClearanceOptions& options) {
   const State& state = goal;
   Task to = task;

@@ -28,7 +28,7 @@ void check_goal_set(const std::vector<GoalRegion>& set, const Vehicle& vehicle, 
 
 /// A task without a set of goals, with another goal: a state and a curvature [1/m]. With a ramp in
 /// `options`, its checker has ramps at the start and at the new goal.
-[[nodiscard]] Task task_to(const Task& task, const Local<State>& goal, double curvature,
+[[nodiscard]] Task task_to(const Task& task, const LocalState& goal, double curvature,
                            const ClearanceOptions& options);
 
 /// Moves the goal by 1 nm if start and goal are the same pose with different curvatures, and the

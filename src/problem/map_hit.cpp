@@ -83,7 +83,7 @@ std::optional<CellHit> map_hit(const Problem& problem, const State& state) {
   const std::optional<OccupancyGrid>& map = world.local().map;
   if (!map) return std::nullopt;
   const Vehicle& vehicle = problem.vehicle();
-  const State local{to_local(world, state.pose), state.hitch_angle};
+  const LocalState local = to_local(world, state);
   const double largest = 1e8;  // distance from the map [cells]; cell numbers are 32-bit
   const Point axle = in_cells({{0, 0}}, local.pose, *map).front();
   if (!(std::abs(axle.x) < largest && std::abs(axle.y) < largest)) return std::nullopt;

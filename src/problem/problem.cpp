@@ -238,10 +238,9 @@ void problem::keep_margin(Task& task, const ClearanceOptions& options) {
   if (options.margin == 0.0) return;
   Margin margin{.wanted = options.margin};
   if (options.margin_ramp > 0.0) {
-    for (const auto& state : {Local(State{task.start, task.hitch_angles.start}),
-                              Local(State{task.goal, task.hitch_angles.goal})}) {
+    for (const LocalState& state : {start_state(task), goal_state(task)}) {
       const Pose& pose = state.pose;
-      const double clearance = task.checker->rig_clearance(state, options.margin);
+      const double clearance = task.checker->clearance(state, options.margin);
       if (clearance == 0.0 || clearance >= options.margin) continue;
       // The checker may ask for the margin plus its tolerance. So the margin of the ramp is below
       // the clearance by the tolerance: then the pose itself is free.

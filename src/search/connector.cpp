@@ -96,10 +96,10 @@ Connector::Connector(const Task& task, const CostRule& rule, bool profile)
       steering_(profile),
       checking_(profile) {}
 
-std::optional<Connection> Connector::connect(const LocalPose& from, const LocalPose& to,
+std::optional<Connection> Connector::connect(const LocalState& from, const LocalPose& to,
                                              const Terms& terms) {
   const std::optional<Piece> piece =
-      steer(from, to, terms.beside, terms.cutoff - terms.cost_so_far);
+      steer(Local(from.pose), to, terms.beside, terms.cutoff - terms.cost_so_far);
   if (!piece) return std::nullopt;
   const double total = terms.cost_so_far + cost(*piece, terms.beside);
   if (total >= terms.cutoff || !is_free(from, *piece)) return std::nullopt;
@@ -266,7 +266,7 @@ double Connector::cost(const Piece& piece, const DrivenBeside& beside) const {
   return sum + change_cost(rule_, driven, beside.after);
 }
 
-bool Connector::is_free(const LocalPose& from, const Piece& piece) {
+bool Connector::is_free(const LocalState& from, const Piece& piece) {
   ++checks_;
   checking_.start();
   const bool free = checker_.is_free(from, piece.view());
@@ -274,24 +274,24 @@ bool Connector::is_free(const LocalPose& from, const Piece& piece) {
   return free;
 }
 
-bool Connector::is_free(const LocalPose& from, const Segment& segment) {
+bool Connector::is_free(const LocalState& from, const Segment& segment) {
   ++checks_;
   return checker_.is_free(from, segment);
 }
 
-Piece Connector::free_prefix(const LocalPose& from, const Piece& piece) {
+Piece Connector::free_prefix(const LocalState& from, const Piece& piece) {
   Piece result;
-  LocalPose pose = from;
+  LocalState state = from;
   for (const Segment& segment : piece.view()) {
-    if (is_free(pose, segment)) {
+    if (is_free(state, segment)) {
       append(result, segment);
-      pose = advance(pose, segment);
+      state = advance(task_.vehicle, state, segment);
       continue;
     }
     Segment part = segment;
     part.length /= 2;
     for (int i = 0; i < 4; ++i, part.length /= 2) {
-      if (!is_free(pose, part)) continue;
+      if (!is_free(state, part)) continue;
       append(result, part);
       break;
     }

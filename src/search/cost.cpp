@@ -39,15 +39,12 @@ double reach_of(const Vehicle& vehicle) {
 /// Vehicle, with its trailer if any, on a segment where clearances are sampled.
 struct SampledSegment {
   const Task& task;
-  const State& from;
+  const LocalState& from;
   const Segment& segment;
 
   [[nodiscard]] double clearance(double driven, double most, double enough) const {
     const Segment part = part_of(segment, 0.0, driven);
-    const CollisionChecker& checker = *task.checker;
-    if (!task.vehicle.trailer)
-      return checker.clearance(Local(advance(from.pose, part)), most, enough);
-    return checker.rig_clearance(Local(advance(task.vehicle, from, part)), most, enough);
+    return task.checker->clearance(advance(task.vehicle, from, part), most, enough);
   }
 
   /// Largest distance that a point of the bodies moves for each metre driven [m].
@@ -277,22 +274,15 @@ double drive_cost(const CostRule& rule, std::span<const Segment> segments) {
   return drive_cost(rule, segments, driven);
 }
 
-double clearance_cost(const Task& task, const CostRule& rule, const LocalPose& from,
+double clearance_cost(const Task& task, const CostRule& rule, const LocalState& from,
                       std::span<const Segment> segments, ClearanceSampling sampling,
                       double cutoff) {
-  return rig_clearance_cost(task, rule, Local(State{from, task.hitch_angles.start}), segments,
-                            sampling, cutoff);
-}
-
-double rig_clearance_cost(const Task& task, const CostRule& rule, const Local<State>& from,
-                          std::span<const Segment> segments, ClearanceSampling sampling,
-                          double cutoff) {
   if (rule.clearance_weight == 0.0) return 0.0;
   const double distance = rule.clearance_distance;
   const double whole = length(segments);
   const SamplingSteps steps{distance / samples_of_search, whole / max_samples_of_search_at_path};
   double sum = 0.0;
-  State state = from;
+  LocalState state = from;
   for (const Segment& segment : segments) {
     if (segment.length == 0.0) continue;
     if (sum > cutoff) break;

@@ -242,7 +242,7 @@ TEST(Watch, OverlooksNothingThatATrailerTouches) {
       const State to = advance(vehicle, state, arc);
       has_said = has_said || watch.look(state, arc, to).has_value();
       state = to;
-      if (problem.task().checker->rig_clearance(Local(state), 1.0) > 0.0) continue;
+      if (problem.task().checker->clearance(Local(state), 1.0) > 0.0) continue;
       ++touched;
       EXPECT_TRUE(has_said);
       return;

@@ -130,7 +130,7 @@ TEST(RigCheckLaw, CheckerAndJudgeAgreeWithBodiesAtManyPoses) {
     const double sampled = sampled_distance(vehicle, from, segment, obstacle);
     const Pose& start = driven.problem.task().start;
     const bool is_free =
-        driven.problem.task().checker->rig_is_free(Local(State{start, from.hitch_angle}), segment);
+        driven.problem.task().checker->is_free(Local(State{start, from.hitch_angle}), segment);
     const PathCheck check = judged(driven);
     free_count += is_free ? 1 : 0;
     close_count += sampled < 0.01 && sampled > 0 ? 1 : 0;
@@ -162,7 +162,7 @@ TEST(RigCheckLaw, MarginsAreKeptByBothBodies) {
     if (!check.valid || *check.clearance < 0.01) return;
     const auto is_free_with = [&](double margin) {
       const Task task = task_of(driven.problem, {.margin = margin});
-      return task.checker->rig_is_free(Local(State{task.start, from.hitch_angle}), segment);
+      return task.checker->is_free(Local(State{task.start, from.hitch_angle}), segment);
     };
     EXPECT_TRUE(is_free_with(*check.clearance - 3e-3));
     EXPECT_FALSE(is_free_with(*check.clearance + 1e-3));
@@ -200,8 +200,8 @@ TEST(RigCheck, ATrailerThatCutsTheCornerIsNamed) {
   EXPECT_EQ(check.reason, "the trailer's footprint hits obstacles[0]");
   ASSERT_TRUE(check.at);
   EXPECT_GT(check.at->s, 5);
-  EXPECT_FALSE(driven.problem.task().checker->rig_is_free(Local<State>(), turn));
-  EXPECT_TRUE(driven.problem.task().checker->is_free(LocalPose(), turn));
+  EXPECT_FALSE(driven.problem.task().checker->is_free(LocalState(), turn));
+  EXPECT_TRUE(driven.problem.task().checker->tractor_is_free(LocalPose(), turn));
 }
 
 TEST(RigCheck, ATrailerInsideOfAWallIsNotFreeAlthoughNoBodyTouchesASide) {
@@ -210,8 +210,8 @@ TEST(RigCheck, ATrailerInsideOfAWallIsNotFreeAlthoughNoBodyTouchesASide) {
   vehicle.trailer = Trailer{6.0, -1.5, 1.0, 2.55};  // a bare drawbar from -1.2 to -2.7
   const std::vector<Polygon> around = {{{-30, -9}, {-1.8, -9}, {-1.8, 9}, {-30, 9}}};
   const Drive standing = drive(vehicle, {}, {{0, 0.1}}, around);
-  EXPECT_TRUE(standing.problem.task().checker->is_free(LocalPose()));
-  EXPECT_FALSE(standing.problem.task().checker->rig_is_free(Local<State>()));
+  EXPECT_TRUE(standing.problem.task().checker->tractor_is_free(LocalPose()));
+  EXPECT_FALSE(standing.problem.task().checker->is_free(LocalState()));
   EXPECT_FALSE(judged(standing).valid);
 }
 

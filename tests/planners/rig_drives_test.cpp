@@ -35,8 +35,7 @@ void expect_free_drive_to_goal(const Task& task, std::span<const Segment> segmen
   EXPECT_LT(std::hypot(end.pose.x - task.goal.x, end.pose.y - task.goal.y), 1e-6);
   EXPECT_NEAR(std::remainder(end.pose.heading - task.goal.heading, 2 * pi), 0, 1e-6);
   EXPECT_NEAR(end.hitch_angle, task.hitch_angles.goal, 1e-6);
-  EXPECT_TRUE(
-      task.checker->rig_is_free(Local(State{task.start, task.hitch_angles.start}), segments));
+  EXPECT_TRUE(task.checker->is_free(start_state(task), segments));
 }
 
 /// Blocks of 70 m with streets of 14 m between them.

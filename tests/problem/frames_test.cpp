@@ -34,7 +34,7 @@ static_assert(sizeof(LocalPose) == sizeof(Pose) && std::is_trivially_copyable_v<
 static_assert(std::is_convertible_v<LocalPose, Pose>);
 static_assert(!std::is_convertible_v<Pose, LocalPose> && std::is_constructible_v<LocalPose, Pose>);
 
-// What each door takes: as a pose P, a state of a rig R, a point Q or a box B.
+// What each door takes: as a pose P, a state S, a point Q or a box B.
 template <class P>
 concept PoseToCheck = requires(const CollisionChecker& checker, const P& p) {
   checker.is_free(p);
@@ -50,22 +50,6 @@ concept WayToCheck = requires(const CollisionChecker& checker, const P& p) {
 template <class P>
 concept PoseToMeasure = requires(const CollisionChecker& checker, const P& p) {
   checker.clearance(p, 1.0);
-};
-template <class R>
-concept RigToCheck = requires(const CollisionChecker& checker, const R& r) {
-  checker.rig_is_free(r);
-};
-template <class R>
-concept RigArcToCheck = requires(const CollisionChecker& checker, const R& r) {
-  checker.rig_is_free(r, Segment{});
-};
-template <class R>
-concept RigWayToCheck = requires(const CollisionChecker& checker, const R& r) {
-  checker.rig_is_free(r, Segments{});
-};
-template <class R>
-concept RigToMeasure = requires(const CollisionChecker& checker, const R& r) {
-  checker.rig_clearance(r, 1.0);
 };
 template <class Q>
 concept PointToLookAt = requires(const CollisionChecker& checker, const Q& q) {
@@ -132,10 +116,6 @@ concept BeginToPrice = requires(const Connector& connector, const P& p) {
 || requires(const Task& task, const P& p) {
   search::clearance_cost(task, {}, p, Segments{}, search::ClearanceSampling::search);
 };
-template <class R>
-concept RigToPrice = requires(const Task& task, const R& r) {
-  search::rig_clearance_cost(task, {}, r, Segments{}, search::ClearanceSampling::search);
-};
 template <class P>
 concept Node = std::is_constructible_v<Tree, P, std::size_t> || requires(Tree& tree, const P& p) {
   tree.add(p, 0, 0.0);
@@ -161,12 +141,17 @@ static_assert(!PoseToEstimate<Pose> && !EndToConnect<Pose> && !EndToSteer<Pose>)
 static_assert(!EndToPrice<Pose> && !BeginOfPiece<Pose> && !PoseToConnect<Pose>);
 static_assert(!BeginToPrice<Pose> && !Node<Pose>);
 
-template <class R>
-concept EveryRig =
-    RigToCheck<R> && RigArcToCheck<R> && RigWayToCheck<R> && RigToMeasure<R> && RigToPrice<R>;
-static_assert(EveryRig<Local<State>>);
-static_assert(!RigToCheck<State> && !RigArcToCheck<State> && !RigWayToCheck<State>);
-static_assert(!RigToMeasure<State> && !RigToPrice<State>);
+// Checks take states, and poses as states with the trailer straight behind.
+template <class S>
+concept EveryState = PoseToCheck<S> && ArcToCheck<S> && WayToCheck<S> && PoseToMeasure<S> &&
+    BeginOfPiece<S> && PoseToConnect<S> && BeginToPrice<S>;
+static_assert(EveryState<LocalState>);
+static_assert(!PoseToCheck<State> && !ArcToCheck<State> && !WayToCheck<State>);
+static_assert(!PoseToMeasure<State> && !BeginOfPiece<State> && !PoseToConnect<State>);
+static_assert(!BeginToPrice<State>);
+static_assert(std::is_convertible_v<Pose, State> && std::is_convertible_v<LocalPose, LocalState>);
+static_assert(!std::is_convertible_v<Pose, LocalState>);
+static_assert(!std::is_convertible_v<LocalState, LocalPose>);
 
 static_assert(PointToLookAt<Local<Point>> && PointToMeasure<Local<Point>>);
 static_assert(CentreOfRamp<Local<Point>> && RegionOfRoadmap<Local<Bounds>>);
@@ -175,11 +160,14 @@ static_assert(!CentreOfRamp<Point> && !RegionOfRoadmap<Bounds>);
 
 // Nobody moves a pose twice.
 static_assert(FromScenario<Pose> && !FromScenario<LocalPose>);
+static_assert(FromScenario<State> && !FromScenario<LocalState>);
 static_assert(!FromWorld<Pose>);
 
 // What is driven from a local pose is local.
 static_assert(std::is_same_v<decltype(advance(LocalPose(), Segment{})), LocalPose>);
 static_assert(std::is_same_v<decltype(advance(Pose(), Segment{})), Pose>);
+static_assert(std::is_same_v<decltype(advance(Vehicle(), LocalState(), Segment{})), LocalState>);
+static_assert(std::is_same_v<decltype(advance(Vehicle(), State(), Segment{})), State>);
 static_assert(std::is_same_v<decltype(compose(LocalPose(), Pose())), LocalPose>);
 static_assert(std::is_same_v<decltype(search::end_of(LocalPose(), Piece{})), LocalPose>);
 
@@ -205,8 +193,8 @@ TEST(Frames, APoseInAWallFarAwayIsOccupiedAtEveryDoor) {
     EXPECT_EQ(checker.is_free(local), is_free);
     EXPECT_EQ(checker.is_free(local, Segment{0.0, 0.5}), is_free);
     EXPECT_EQ(checker.clearance(local, 10.0) > 0.0, is_free);
-    EXPECT_EQ(checker.rig_is_free(Local(State{local})), is_free);
-    EXPECT_EQ(checker.rig_clearance(Local(State{local}), 10.0) > 0.0, is_free);
+    EXPECT_EQ(checker.is_free(to_local(world, State{pose, 0.1})), is_free);
+    EXPECT_EQ(checker.tractor_is_free(local), is_free);
     EXPECT_EQ(connector.is_free(local), is_free);
     EXPECT_EQ(connector.connect(local, local).has_value(), is_free);
     EXPECT_EQ(to_scenario(world, local), pose);

@@ -86,6 +86,12 @@ def test_the_judge_refuses_what_hits_a_wall(yard):
     assert result.check is not None and result.path is None
 
 
+def test_it_never_gets_a_trailer_that_its_checks_would_ignore(yard):
+    rig = vp.Scenario(yard.start, yard.goal, bounds=yard.bounds, vehicle="tractor-semitrailer")
+    with pytest.raises(vp.InputError, match="plans for a vehicle without a trailer"):
+        vp.plan(rig, grow, max_iterations=1)
+
+
 def test_what_it_may_return(yard):
     none = vp.plan(yard, lambda task: None, max_iterations=5)
     assert none.status == "stopped"

@@ -28,7 +28,7 @@ def functions_of(header):
         elif character == "}":
             in_namespaces.pop()
         name = re.search(r"(\w+)\(", re.sub(r"^template <[^>]*> ?", "", head))
-        is_other = re.match(r"(class|struct|enum|using|namespace|namespace \w+) |,", head)  # "," goes on after {}
+        is_other = re.match(r"(class|struct|enum|using|namespace|namespace \w+) |,|\[\[deprecated", head)  # "," goes on after {}
         if is_outside and character != "}" and name and not is_other and "=" not in head[: name.start()]:
             names.add(name.group(1))
         statement = ""
@@ -67,7 +67,7 @@ def method_names(head):
     while plain != (plain := re.sub(r"<[^<>]*>", "", plain)):
         pass  # a template may stand in a template
     name = re.search(r"(?<!~)\b(\w+)\(", plain)
-    is_other = re.match(r"(class|struct|enum|using|friend|,)\b", plain)
+    is_other = re.match(r"(\[\[deprecated|class|struct|enum|using|friend|,)\b", plain)
     if not name or is_other or "operator" in plain or "=" in plain[: name.start()]:
         return []
     return [name.group(1)]

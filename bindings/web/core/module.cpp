@@ -126,8 +126,8 @@ class Yard {
         has(query, "vehicle") ? vehicle_from(query["vehicle"]) : problem_.vehicle();
     const Margin margin{.wanted = number_at(query, "margin", "", 0.0)};
     const End end = end_from(query["pose"], "pose", vehicle);
-    const State state{to_local(*world_, end.pose), end.hitch_angle};
-    return val(world_->checker(vehicle, margin)->rig_is_free(Local(state)));
+    const LocalState state = to_local(*world_, State{end.pose, end.hitch_angle});
+    return val(world_->checker(vehicle, margin)->is_free(state));
   }
 
  private:

@@ -315,11 +315,11 @@ bool Closer::close(const State& from, std::span<Command> commands, const State& 
 
 std::optional<std::vector<Command>> obeyed(const Task& task, std::vector<Command> commands) {
   const search::DrivenBeside ends = search::driven_at_ends(task);
-  const State from{task.start, task.hitch_angles.start};
-  const State to{task.goal, task.hitch_angles.goal};
+  const LocalState from = start_state(task);
+  const State to = goal_state(task);
   if (!Closer(task.vehicle, task.steering).close(from, commands, to, ends)) return std::nullopt;
   const Wheels wheels(task.vehicle, task.steering);
-  const bool is_free = task.checker->rig_is_free(Local(from), wheels.driven(commands, ends.before));
+  const bool is_free = task.checker->is_free(from, wheels.driven(commands, ends.before));
   return is_free ? std::optional(std::move(commands)) : std::nullopt;
 }
 

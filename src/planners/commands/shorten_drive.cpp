@@ -55,7 +55,7 @@ bool DriveShortener::is_stalled() const { return idle_ > patience; }
 /// empty.
 void DriveShortener::drive(std::vector<double> near) {
   const bool is_known = near.size() == commands_.size();
-  driving_ = {.states = {{task_.start, task_.hitch_angles.start}},
+  driving_ = {.states = {start_state(task_)},
               .driven = {ends_.before},
               .prices = {},
               .near = std::move(near)};
@@ -76,7 +76,7 @@ void DriveShortener::drive(std::vector<double> near) {
   }
   cost_ = measure_ ? measure_(segments()) : sum(driving_.prices) + sum(driving_.near);
   // The exact state at the end keeps small errors from adding up.
-  driving_.states.back() = {task_.goal, task_.hitch_angles.goal};
+  driving_.states.back() = goal_state(task_);
 }
 
 /// Clearance cost of segments; above `cutoff` it is any number above it. 0 with a measure, which
@@ -84,8 +84,8 @@ void DriveShortener::drive(std::vector<double> near) {
 double DriveShortener::near_cost(const State& from, std::span<const Segment> segments,
                                  double cutoff) const {
   if (measure_) return 0.0;
-  return search::rig_clearance_cost(task_, rule_, Local(from), segments,
-                                    search::ClearanceSampling::search, cutoff);
+  return search::clearance_cost(task_, rule_, Local(from), segments,
+                                search::ClearanceSampling::search, cutoff);
 }
 
 /// A random window; small ones are more frequent.
@@ -219,7 +219,7 @@ bool DriveShortener::replace(const Window& window, double limit) {
     if (!is_cheap()) return false;
   }
   checks_ += static_cast<std::int64_t>(trial_.size());
-  if (!task_.checker->rig_is_free(Local(driving_.states[window.first]), segments_)) return false;
+  if (!task_.checker->is_free(Local(driving_.states[window.first]), segments_)) return false;
   if (!looks_at_near(window, left_for_near(window, limit))) return false;
   const auto [first, last] = window;
   if (measure_ || task_.vehicle.trailer || !goes_on_) {
@@ -241,13 +241,13 @@ bool DriveShortener::replace(const Window& window, double limit) {
 
 /// Closes a whole chain and takes it if it is free and costs less than `limit`.
 bool DriveShortener::settle(std::vector<Command> whole, std::vector<double> near, double limit) {
-  const State from{task_.start, task_.hitch_angles.start};
-  const State to{task_.goal, task_.hitch_angles.goal};
+  const LocalState from = start_state(task_);
+  const State to = goal_state(task_);
   whole = wheels_.tidied(whole, ends_.before);
   if (!closer_.close(from, whole, to, ends_)) return false;
   const std::vector<Segment> driven = wheels_.driven(whole, ends_.before);
   if (measure_ && !(measure_(driven) < limit)) return false;
-  if (!task_.checker->rig_is_free(Local(from), driven)) return false;
+  if (!task_.checker->is_free(from, driven)) return false;
   const double cost = cost_;
   Driving as_ever = driving_;
   std::swap(commands_, whole);

@@ -107,7 +107,7 @@ Follower::Follower(const Task& task, const search::CostRule& rule, std::span<con
       way_.push_back(part_of(segment, size * i / parts, size * (i + 1) / parts));
     }
   }
-  State state{task.start, task.hitch_angles.start};
+  State state = start_state(task);
   for (const Segment& part : way_) {
     states_.push_back(state);
     curvatures_.push_back(part.curvature);
@@ -115,14 +115,14 @@ Follower::Follower(const Task& task, const search::CostRule& rule, std::span<con
     State next = advance(task.vehicle, state, part);
     const double fold = largest_hitch_angle(task.vehicle, state.hitch_angle, part);
     const bool folds = fold > task.vehicle.max_hitch_angle;
-    is_free_.push_back(is_forward && !folds && task.checker->rig_is_free(Local(state), part));
+    is_free_.push_back(is_forward && !folds && task.checker->is_free(Local(state), part));
     if (!is_forward) next.hitch_angle = 0.0;
     if (folds && is_forward) {
       next.hitch_angle = std::copysign(fold_kept * task.vehicle.max_hitch_angle, next.hitch_angle);
     }
     state = next;
   }
-  states_.push_back({task.goal, task.hitch_angles.goal});
+  states_.push_back(goal_state(task));
   curvatures_.push_back(task.curvatures.goal);
   curvatures_.front() = task.curvatures.start;
   if (!is_free_.empty()) is_free_.back() = false;
@@ -153,8 +153,8 @@ bool Follower::begin(const Parts& parts) {
   task.hitch_angles = {states_[first].hitch_angle, states_[last].hitch_angle};
   task.curvatures = {curvatures_[first], curvatures_[last]};
   if (task.steering != Steering::reeds_shepp) task.steering = Steering::continuous;
-  if (!task.checker->rig_is_free(Local(states_[first])) ||
-      !task.checker->rig_is_free(Local(states_[last]))) {
+  if (!task.checker->is_free(Local(states_[first])) ||
+      !task.checker->is_free(Local(states_[last]))) {
     return false;
   }
   replacing_ = std::make_unique<Replacing>(std::move(task), rule_, unit_);

@@ -12,13 +12,13 @@ ExactDrive::ExactDrive(const Task& task)
 
 std::optional<std::vector<commands::Command>> ExactDrive::along(std::span<const Segment> segments) {
   if (segments.empty()) return std::nullopt;
-  const State from{task_.start, task_.hitch_angles.start};
-  const State to{task_.goal, task_.hitch_angles.goal};
+  const LocalState from = start_state(task_);
+  const State to = goal_state(task_);
   std::vector<commands::Command> commands = wheels_.commands(segments, ends_);
   if (!closer_.close(from, commands, to, ends_)) return std::nullopt;
   commands = wheels_.tidied(commands, ends_.before);
   if (!closer_.close(from, commands, to, ends_)) return std::nullopt;
-  if (!task_.checker->rig_is_free(Local(from), wheels_.driven(commands, ends_.before))) {
+  if (!task_.checker->is_free(from, wheels_.driven(commands, ends_.before))) {
     return std::nullopt;
   }
   return commands;

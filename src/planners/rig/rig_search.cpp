@@ -110,10 +110,10 @@ RigSearch::RigSearch(const Task& task, const CostRule& rule, const Guides& guide
       heading_cell_(0.5 * fineness.step / turning_radius(task.vehicle)),
       angle_cell_(0.5 * fineness.step / task.vehicle.trailer->wheelbase),
       primitives_(primitives_of(task.vehicle, fineness)),
-      sides_{side_from({task.start, task.hitch_angles.start}, {task.goal, task.hitch_angles.goal},
-                       ends_.before, priced(rule), guides.to_goal),
-             side_from({task.goal, task.hitch_angles.goal}, {task.start, task.hitch_angles.start},
-                       ends_.after, search::reversed(priced(rule), 0), guides.to_start)} {}
+      sides_{side_from(start_state(task), goal_state(task), ends_.before, priced(rule),
+                       guides.to_goal),
+             side_from(goal_state(task), start_state(task), ends_.after,
+                       search::reversed(priced(rule), 0), guides.to_start)} {}
 
 RigSearch::Side RigSearch::side_from(const State& root, const State& target, const Driven& before,
                                      const CostRule& rule, const search::GridDistance& grid) const {
@@ -139,7 +139,7 @@ std::int64_t RigSearch::nodes() const {
 int RigSearch::level_at(const State& state) const {
   if (fineness_.levels <= 1) return 0;
   double least = task_.vehicle.width;
-  const double room = task_.checker->rig_clearance(Local(state), least, least);
+  const double room = task_.checker->clearance(Local(state), least, least);
   int level = 0;
   for (; room < least && level + 1 < fineness_.levels; least /= 2) ++level;
   return level;
@@ -321,7 +321,8 @@ bool RigSearch::is_in_sight(const Pose& from, const Pose& to) {
   ++checks_;
   const double dx = to.x - from.x, dy = to.y - from.y;
   const Segment line{0.0, std::sqrt(dx * dx + dy * dy)};
-  return task_.checker->is_free(Local(Pose{from.x, from.y, base::atan_2(dy, dx)}), line);
+  const LocalPose there({from.x, from.y, base::atan_2(dy, dx)});
+  return task_.checker->tractor_is_free(there, {&line, 1});
 }
 
 /// [3] Now and then tries to join a state by exact steering with the latest state of the other
@@ -354,7 +355,7 @@ void RigSearch::join(std::int32_t forward, std::int32_t backward,
 
 bool RigSearch::is_free(const State& from, std::span<const Segment> segments) {
   checks_ += static_cast<std::int64_t>(segments.size());
-  return task_.checker->rig_is_free(Local(from), segments);
+  return task_.checker->is_free(Local(from), segments);
 }
 
 std::optional<std::vector<Command>> RigSearch::take_found() {

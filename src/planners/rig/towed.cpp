@@ -41,8 +41,8 @@ Task towed_task(const Task& task) {
   towed.vehicle = Vehicle{trailer.wheelbase, trailer.front_overhang, trailer.rear_overhang,
                           trailer.width, vehicle::trailer_alone(task.vehicle).radius};
   towed.vehicle.outline = trailer.outline;
-  towed.start = Local(trailer_pose(task.vehicle, {task.start, task.hitch_angles.start}));
-  towed.goal = Local(trailer_pose(task.vehicle, {task.goal, task.hitch_angles.goal}));
+  towed.start = Local(trailer_pose(task.vehicle, start_state(task)));
+  towed.goal = Local(trailer_pose(task.vehicle, goal_state(task)));
   towed.steering = Steering::reeds_shepp;
   towed.curvatures = {};
   towed.hitch_angles = {};
