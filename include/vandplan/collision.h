@@ -110,15 +110,15 @@ class CollisionChecker {
       const LocalState& state, double most,
       double enough = std::numeric_limits<double>::infinity()) const noexcept;
 
-  [[deprecated("write is_free")]] [[nodiscard]] bool rig_is_free(
+  [[deprecated("use is_free")]] [[nodiscard]] bool rig_is_free(
       const LocalState& from, std::span<const Segment> segments = {}) const noexcept {
     return is_free(from, segments);
   }
-  [[deprecated("write is_free")]] [[nodiscard]] bool rig_is_free(
+  [[deprecated("use is_free")]] [[nodiscard]] bool rig_is_free(
       const LocalState& from, const Segment& segment) const noexcept {
     return is_free(from, segment);
   }
-  [[deprecated("write clearance")]] [[nodiscard]] double rig_clearance(
+  [[deprecated("use clearance")]] [[nodiscard]] double rig_clearance(
       const LocalState& state, double most,
       double enough = std::numeric_limits<double>::infinity()) const noexcept {
     return clearance(state, most, enough);

@@ -28,7 +28,7 @@ class Curves;
 class StateValidityChecker : public ::ompl::base::StateValidityChecker {
  public:
   /// A checker for a problem and a margin. Throws InputError naming "margin" or "margin_ramp" if it
-  /// is out of range.
+  /// is out of range, "vehicle.trailers" if there is a trailer, as states have no hitch angle.
   StateValidityChecker(const ::ompl::base::SpaceInformationPtr& si, const Problem& problem,
                        const ClearanceOptions& clearance = {});
 
@@ -53,7 +53,7 @@ class StateValidityChecker : public ::ompl::base::StateValidityChecker {
 class MotionValidator : public ::ompl::base::MotionValidator {
  public:
   /// A validator for a problem and a margin. Throws ompl::Exception for another space, or one that
-  /// turns more sharply than the vehicle can.
+  /// turns more sharply than the vehicle can, and InputError as `StateValidityChecker` does.
   MotionValidator(const ::ompl::base::SpaceInformationPtr& si, const Problem& problem,
                   const ClearanceOptions& clearance = {});
   ~MotionValidator() override;

@@ -13,7 +13,7 @@
 
 namespace vandplan {
 
-using RigState [[deprecated("write State")]] = State;
+using RigState [[deprecated("use State")]] = State;
 
 /// Pose of the trailer at the midpoint of its axle, in the frame of `state.pose`; heading in
 /// [-pi, pi). Throws InputError naming "vehicle.trailers" if there is no trailer, as

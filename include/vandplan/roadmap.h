@@ -91,8 +91,9 @@ class Roadmap {
 };
 
 /// Builds a roadmap: draws poses until there are enough free ones. Throws InputError naming
-/// "nodes", "neighbours" or "margin" if it is out of range, or a key of the vehicle. It names
-/// "region" if a million poses in a row are not free.
+/// "nodes", "neighbours" or "margin" if it is out of range, "vehicle.trailers" if there is a
+/// trailer, or another key of the vehicle. It names "region" if a million poses in a row are not
+/// free.
 [[nodiscard]] Roadmap build_roadmap(const World& world, const Vehicle& vehicle,
                                     const RoadmapOptions& options = {});
 

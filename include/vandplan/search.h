@@ -186,7 +186,7 @@ using Looks [[deprecated("use ClearanceSampling")]] = ClearanceSampling;
                                     std::span<const Segment> segments, ClearanceSampling sampling,
                                     double cutoff = std::numeric_limits<double>::infinity());
 
-[[deprecated("write clearance_cost")]] [[nodiscard]] inline double rig_clearance_cost(
+[[deprecated("use clearance_cost")]] [[nodiscard]] inline double rig_clearance_cost(
     const Task& task, const CostRule& rule, const LocalState& from,
     std::span<const Segment> segments, ClearanceSampling sampling,
     double cutoff = std::numeric_limits<double>::infinity()) {

@@ -305,6 +305,7 @@ Roadmap build_roadmap(const World& world, const Vehicle& vehicle, const RoadmapO
   expect_in_range("nodes", static_cast<double>(options.nodes), 1, 1e6);
   expect_in_range("neighbours", options.neighbours, 1, 100);
   expect_in_range("margin", options.margin, 0, 1000);
+  if (vehicle.trailer) throw InputError("vehicle.trailers", "are not honoured, expected none");
   const Local<Bounds> region = options.region.value_or(Local(world.local().bounds));
   search::Milestones milestones(world.checker(vehicle, {.wanted = options.margin}),
                                 vehicle.min_turning_radius,

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "ompl/curves.h"
+#include "vandplan/input_error.h"
 #include "vandplan/ompl_spaces.h"
 
 namespace vandplan::ompl {
@@ -21,6 +22,15 @@ namespace ob = ::ompl::base;
 LocalPose local_pose(const ob::State* state, const Point& origin) noexcept {
   const Pose pose = pose_of(state);
   return Local(Pose{pose.x - origin.x, pose.y - origin.y, pose.heading});
+}
+
+/// The checker of a problem. Throws InputError for a trailer, which states say nothing of.
+std::shared_ptr<const CollisionChecker> checker_of(const Problem& problem,
+                                                   const ClearanceOptions& clearance) {
+  if (problem.vehicle().trailer) {
+    throw InputError("vehicle.trailers", "are not honoured by OMPL's planners, expected none");
+  }
+  return task_of(problem, clearance).checker;
 }
 
 /// Length of the piece that is known to be free [m].
@@ -53,7 +63,7 @@ StateValidityChecker::StateValidityChecker(const ob::SpaceInformationPtr& si,
     : ob::StateValidityChecker(si),
       problem_(problem),
       clearance_(clearance),
-      checker_(task_of(problem, clearance).checker) {
+      checker_(checker_of(problem, clearance)) {
   specs_.clearanceComputationType = ob::StateValidityCheckerSpecs::EXACT;
 }
 
@@ -71,7 +81,7 @@ MotionValidator::MotionValidator(const ob::SpaceInformationPtr& si, const Proble
     : ob::MotionValidator(si),
       curves_(std::make_unique<const Curves>(*si->getStateSpace())),
       origin_(problem.world()->origin()),
-      checker_(task_of(problem, clearance).checker) {
+      checker_(checker_of(problem, clearance)) {
   if (curves_->radius() < problem.vehicle().min_turning_radius * (1 - 1e-9)) {
     throw ::ompl::Exception("vandplan", "the space turns more sharply than the vehicle can");
   }

@@ -190,6 +190,7 @@ TEST(Roadmap, IsBuiltForAWorldAndAVehicle) {
   EXPECT_THROW((void)build_roadmap(*world, {}, {.nodes = 0}), InputError);
   EXPECT_THROW((void)build_roadmap(*world, {}, {.neighbours = 0}), InputError);
   EXPECT_THROW((void)build_roadmap(*world, {}, {.margin = -1}), InputError);
+  EXPECT_THROW((void)build_roadmap(*world, semitrailer(), {.nodes = 5}), InputError);
   EXPECT_THROW((void)build_roadmap(*world, {}, {.region = Local(Bounds{900, 901, 0, 1})}),
                InputError);
 }

@@ -48,6 +48,15 @@ TEST(OmplWorld, AMarginIsKept) {
   EXPECT_FALSE(far.si->checkMotion(far.state(start).get(), far.state(close).get()));
 }
 
+TEST(OmplWorld, AVehicleWithATrailerIsRefused) {
+  Query query(yard_scenario());
+  Scenario scenario = yard_scenario();
+  scenario.vehicle = semitrailer();
+  const Problem rig = make_problem(scenario);
+  EXPECT_THROW(ompl::StateValidityChecker(query.si, rig), InputError);
+  EXPECT_THROW(ompl::MotionValidator(query.si, rig), InputError);
+}
+
 /// Whether the vehicle is free at many poses of the motion.
 bool is_free_at_many_poses(Query& query, const ob::State* from, const ob::State* to, double until) {
   ob::ScopedState<> at(query.space);
