@@ -37,6 +37,9 @@ struct Drawing {
   std::string caption = {};  ///< one line above the picture, UTF-8
   /// Whether a strip below the picture of a path shows its curvature.
   bool curvature_strip = false;
+  /// Whether an SVG shows what is under the mouse: the footprint of the vehicle at a place of the
+  /// path, the number of an obstacle or kerb.
+  bool footprints = false;
 };
 
 /// Several drawings of equal size side by side, row by row, without curvature strips.

@@ -4,6 +4,7 @@
 
 #include "draw/canvas.h"
 #include "draw/film.h"
+#include "draw/footprints.h"
 #include "draw/frame.h"
 #include "draw/paint.h"
 #include "draw/scene.h"
@@ -70,9 +71,10 @@ std::string draw(const Drawing& drawing, PictureFormat format, int width) {
     if (layout.strip) paint_curvature_strip(cairo, scene, *layout.strip);
     paint_legend(cairo, legend, layout.legend);
   });
-  const bool plays = drawing.speeds && drawing.path && format == PictureFormat::svg;
-  if (!plays) return picture;
-  return played(picture, {drawing, scene, layout.view, width / layout.page.width});
+  if (format != PictureFormat::svg) return picture;
+  const Overlay overlay{drawing, scene, layout.view, width / layout.page.width};
+  if (drawing.speeds && drawing.path) picture = played(picture, overlay);
+  return drawing.footprints ? with_footprints(picture, overlay) : picture;
 }
 
 std::string draw(const ContactSheet& sheet, PictureFormat format, int width) {

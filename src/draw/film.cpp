@@ -3,9 +3,7 @@
 #include "draw/film.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -21,17 +19,6 @@ namespace {
 constexpr double frame_time = 0.1;  // Time between poses; motion between them is uniform [s].
 constexpr double most_frames = 3000;
 constexpr double rest_time = 1.5;  // Pause at the end [s].
-
-std::string written(const char* format, auto... values) {
-  std::array<char, 240> buffer;
-  std::snprintf(buffer.data(), buffer.size(), format, values...);
-  return buffer.data();
-}
-
-std::string colour_of(const Colour& colour) {
-  const auto byte = [](double share) { return static_cast<int>(std::lround(255 * share)); };
-  return written("rgb(%d,%d,%d)", byte(colour.red), byte(colour.green), byte(colour.blue));
-}
 
 /// Moving object: its outline, and its pose in each frame, empty once it has left.
 struct Actor {
@@ -63,9 +50,8 @@ std::string scene_of_actor(const Actor& actor, double duration) {
     shows += written("%s%d", separator, pose ? 1 : 0);
     last = now;
   }
-  std::string corners;
-  for (const auto& [x, y] : actor.outline) corners += written("%.3f,%.3f ", x, y);
-  const std::string colour = colour_of(actor.colour);
+  const std::string corners = svg_points(actor.outline);
+  const std::string colour = svg_colour(actor.colour);
   std::string text = "<g>" + animation("translate", places, duration) + "<g>" +
                      animation("rotate", turns, duration) + "<polygon points=\"" + corners +
                      "\" fill=\"" + colour + "\" fill-opacity=\"0.75\" stroke=\"" + colour +
@@ -91,7 +77,7 @@ double hitch_angle_at(const Scenario& scenario, const Path& path, double s) {
 }
 
 /// All moving objects, the vehicle last.
-std::vector<Actor> actors_of(const Film& film, double step, double count) {
+std::vector<Actor> actors_of(const Overlay& film, double step, double count) {
   const Drawing& drawing = film.drawing;
   const Scenario& scenario = *drawing.scenario;
   const Point& origin = film.scene.origin;
@@ -124,31 +110,23 @@ std::vector<Actor> actors_of(const Film& film, double step, double count) {
 
 }  // namespace
 
-std::string played(const std::string& svg, const Film& film) {
+std::string played(const std::string& svg, const Overlay& film) {
   const double lasts = rest_time + std::max(film.drawing.speeds->duration,
                                             end_of_motion(film.drawing.scenario->moving));
   const double count = std::min(std::ceil(lasts / frame_time), most_frames);
   const Box& plot = film.view.plot;
   const double k = film.scale;
-  const double metre = k * film.view.scale;
-  std::string text =
-      written("<clipPath id=\"film\"><rect x=\"%.2f\" y=\"%.2f\" width=\"%.2f\" height=\"%.2f\"/>",
-              k * plot.x, k * plot.y, k * plot.width, k * plot.height) +
-      "</clipPath>\n<g clip-path=\"url(#film)\">" +
-      written("<g transform=\"matrix(%.6f 0 0 %.6f %.4f %.4f)\">\n", metre, -metre,
-              k * plot.x - metre * film.view.visible.x_min,
-              k * plot.y + metre * film.view.visible.y_max);
+  Layer layer{.name = "film"};
   for (const Actor& actor : actors_of(film, lasts / count, count)) {
-    text += scene_of_actor(actor, lasts);
+    layer.metres += scene_of_actor(actor, lasts);
   }
-  text += written("</g><rect x=\"%.2f\" y=\"%.2f\" width=\"0\" height=\"%.2f\" fill=\"%s\">",
-                  k * plot.x, k * (plot.y + plot.height) - 4.0, 4.0,
-                  colour_of(colour::faint_ink).c_str()) +
-          written("<animate attributeName=\"width\" from=\"0\" to=\"%.2f\" dur=\"%.3fs\" ",
-                  k * plot.width, lasts) +
-          "repeatCount=\"indefinite\"/></rect></g>\n";
-  const std::size_t end = svg.rfind("</svg>");
-  return svg.substr(0, end) + text + svg.substr(end);
+  layer.points =
+      written("<rect x=\"%.2f\" y=\"%.2f\" width=\"0\" height=\"%.2f\" fill=\"%s\">", k * plot.x,
+              k * (plot.y + plot.height) - 4.0, 4.0, svg_colour(colour::faint_ink).c_str()) +
+      written("<animate attributeName=\"width\" from=\"0\" to=\"%.2f\" dur=\"%.3fs\" ",
+              k * plot.width, lasts) +
+      "repeatCount=\"indefinite\"/></rect>";
+  return laid_over(svg, film, layer);
 }
 
 }  // namespace vandplan::drawing
