@@ -63,7 +63,7 @@ def test_files_hold_sets(tmp_path):
     assert read.goal_set == scenario.goal_set
     result = vp.plan(read, max_iterations=300)
     result.save(tmp_path / "r.json")
-    again = vp.read_result(tmp_path / "r.json", read)
+    again = vp.read_result(read, tmp_path / "r.json")
     assert again.goal == result.goal and vp.check(read, again)
 
 

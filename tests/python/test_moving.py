@@ -38,11 +38,11 @@ def test_what_was_planned_among_movers_keeps_its_times(crossing, planned):
     assert planned.check.times == "planned" and planned.check.drive.valid
     assert planned.speeds.duration == planned.check.drive.duration
     assert planned.speeds.path == planned.path
-    fastest = vp.speed_profile(planned.path, crossing.vehicle)
+    fastest = vp.speed_profile(crossing.vehicle, planned.path)
     assert planned.speeds.duration > fastest.duration + 3, "it waits for nobody"
-    assert vp.speed_profile(planned).knots["t"] == pytest.approx(planned.speeds.knots["t"], abs=0)
+    assert vp.speed_profile(crossing, planned).knots["t"] == pytest.approx(planned.speeds.knots["t"], abs=0)
     with pytest.raises(vp.InputError, match="vehicle: is given"):
-        vp.speed_profile(planned, "city-bus")
+        vp.speed_profile("city-bus", planned)
 
 
 def test_the_judge_sees_the_times(crossing, planned, tmp_path):
@@ -54,7 +54,7 @@ def test_the_judge_sees_the_times(crossing, planned, tmp_path):
     assert bare.reason.startswith("the path has no times") and "moving[" in bare.reason
     assert bare.drive.t > 0 and bare.at["s"] > 0
     planned.save(tmp_path / "r.json")
-    again = vp.read_result(tmp_path / "r.json", crossing)
+    again = vp.read_result(crossing, tmp_path / "r.json")
     assert vp.check(crossing, again).valid
     assert again.speeds.duration == pytest.approx(planned.speeds.duration)
 
@@ -71,10 +71,10 @@ def test_a_path_without_times_says_so_even_where_it_meets_nobody(street):
 def test_a_result_without_times_has_no_speeds_among_movers(street, tmp_path):
     vp.plan(street, max_iterations=50).save(tmp_path / "r.json")
     late = street.with_moving([crossing_car(500)])
-    read = vp.read_result(tmp_path / "r.json", late)
+    read = vp.read_result(late, tmp_path / "r.json")
     assert read.speeds is None
     with pytest.raises(vp.InputError, match="path: has no times"):
-        vp.speed_profile(read)
+        vp.speed_profile(late, read)
 
 
 def test_movers_are_made_in_python(street):
@@ -92,7 +92,7 @@ def test_movers_are_made_in_python(street):
 
 
 def test_a_plan_waits_for_a_mover_that_was_made_in_python(street):
-    alone = vp.speed_profile(vp.Path((0, 0, 0), [(0, 40)]), street.vehicle)
+    alone = vp.speed_profile(street, vp.Path((0, 0, 0), [(0, 40)]))
     then = float(np.interp(16, alone.motions(0.1)["s"], alone.motions(0.1)["t"]))
     busy = street.with_moving([crossing_car(then)])
     meeting = vp.first_meeting(alone, busy.moving)

@@ -131,12 +131,12 @@ def test_the_judge_accepts_and_refuses(yard):
 def test_results_are_saved_and_read_back(yard, tmp_path):
     result = vp.plan(yard, max_iterations=1000)
     result.save(tmp_path / "r.json")
-    again = vp.read_result(tmp_path / "r.json", yard)
+    again = vp.read_result(yard, tmp_path / "r.json")
     assert again.path == result.path and again.status == "solved"
     assert vp.check(yard, again)
     assert json.loads((tmp_path / "r.json").read_text("utf-8"))["planner"] == "anytime"
     result.save(tmp_path / "r.vpr")
-    binary = vp.read_result(tmp_path / "r.vpr", yard)
+    binary = vp.read_result(yard, tmp_path / "r.vpr")
     assert binary.path == result.path and binary.cost == result.cost
     assert vp.check(yard, binary)
     vp.draw(yard, result, tmp_path / "r.svg")
@@ -215,7 +215,7 @@ def test_a_path_is_smoothed(yard):
 def test_smoothing_goes_by_the_options_of_the_result(yard, tmp_path):
     driven = vp.plan(yard, max_iterations=1500, margin=0.2, reverse_weight=3, min_stroke=0.5)
     driven.save(tmp_path / "r.json")
-    read = vp.read_result(tmp_path / "r.json", yard)
+    read = vp.read_result(yard, tmp_path / "r.json")
     for given in (driven, read, pickle.loads(pickle.dumps(read)), pickle.loads(pickle.dumps(driven))):
         smooth = vp.smooth(yard, given, max_iterations=100)
         assert smooth.cost <= driven.cost * (1 + 1e-9)
@@ -232,16 +232,16 @@ def test_smoothing_goes_by_the_options_of_the_result(yard, tmp_path):
 
 def test_speeds_along_a_path(yard):
     result = vp.plan(yard, max_iterations=500)
-    profile = vp.speed_profile(result)
+    profile = vp.speed_profile(yard, result)
     assert profile.duration > result.path.length / 2.5
     motions = profile.motions(0.1)
     assert motions["t"][0] == 0 and motions["t"][-1] == pytest.approx(profile.duration)
     assert np.abs(motions["v"]).max() <= 2.5 + 1e-9
     at = profile.at([0.0, profile.duration])
     assert at["s"] == pytest.approx([0, result.path.length])
-    slow = vp.speed_profile(result.path, {"max_speed": (1, 1)})
+    slow = vp.speed_profile({"max_speed": (1, 1)}, result.path)
     assert slow.duration > profile.duration
-    with pytest.raises(vp.InputError, match="vehicle: is missing"):
+    with pytest.warns(DeprecationWarning), pytest.raises(vp.InputError, match="vehicle: is missing"):
         vp.speed_profile(result.path)
 
 
@@ -341,7 +341,7 @@ def test_what_is_in_the_way_is_a_field(yard, tmp_path):
     assert result.status == "start_in_collision" and result.hit == {"what": "obstacles", "index": 0}
     assert pickle.loads(pickle.dumps(result)).hit == result.hit
     result.save(tmp_path / "r.json")
-    assert vp.read_result(tmp_path / "r.json", blocked).hit == result.hit
+    assert vp.read_result(blocked, tmp_path / "r.json").hit == result.hit
     vp.draw(blocked, result, tmp_path / "r.svg")
     assert "85%" in (tmp_path / "r.svg").read_text("utf-8")
     assert vp.check(blocked, vp.Path((0, 0, 0), [(0, 20, 0)])).hit == {"what": "obstacles", "index": 0}

@@ -108,7 +108,7 @@ def test_what_was_pickled_is_as_good_as_before(yard, tmp_path):
     assert (tmp_path / "again.json").read_text("utf-8") == (tmp_path / "result.json").read_text("utf-8")
     scenario = pickle.loads(pickle.dumps(yard))
     assert vp.plan(scenario, max_iterations=500, style="shortest", margin=0.2).path == result.path
-    read = pickle.loads(pickle.dumps(vp.read_result(tmp_path / "result.json", yard)))
+    read = pickle.loads(pickle.dumps(vp.read_result(yard, tmp_path / "result.json")))
     assert vp.check(yard, read) and read.path == result.path
     tree = vp.plan(yard, "rrt-opt-euc", max_iterations=100, goal_bias=0.3, seed=2)
     assert pickle.loads(pickle.dumps(tree)).options == tree.options
@@ -173,11 +173,11 @@ def check_signature(thing, function, where):
 def test_every_signature_is_that_of_the_stub():
     # Keywords of a vehicle are those of scenario files, whatever they are.
     free = {"Vehicle.__init__", "InputError.__init__"}
-    checked = 0
+    checked = set()
     for item in STUB.body:
-        if isinstance(item, ast.FunctionDef) and not item.decorator_list:
+        if isinstance(item, ast.FunctionDef) and item.name not in checked:  # the first of overloads
             check_signature(getattr(vp, item.name), item, item.name)
-            checked += 1
+            checked.add(item.name)
         if not isinstance(item, ast.ClassDef):
             continue
         for member in item.body:
@@ -187,8 +187,8 @@ def test_every_signature_is_that_of_the_stub():
                 continue
             thing = getattr(vp, item.name)
             check_signature(thing if member.name == "__init__" else getattr(thing, member.name), member, where)
-            checked += 1
-    assert checked > 50
+            checked.add(where)
+    assert {"plan", "reeds_shepp_length", "Path.poses"} <= checked and len(checked) > 60
 
 
 def test_everything_that_is_called_has_a_signature():
@@ -233,7 +233,7 @@ def test_nonsense_is_refused_at_every_door(name, yard, tmp_path, monkeypatch):
     if name == "plot":
         pytest.importorskip("matplotlib").use("Agg")
     if name == "first_meeting":
-        sensible["drive"] = vp.speed_profile(sensible["path"], vp.Vehicle())
+        sensible["drive"] = vp.speed_profile(vp.Vehicle(), sensible["path"])
     brief = {"max_iterations": 1} if "max_iterations" in signature.parameters else {}
     if name == "drive_live":
         brief["longest"] = 0.1

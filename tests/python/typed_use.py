@@ -39,7 +39,7 @@ def plans(folder: pathlib.Path) -> None:
     if result.path is not None:
         poses: NDArray[np.float64] = result.path.poses(0.5)
         clearance: float | None = vp.check(yard, result).clearance
-        print(poses.shape, clearance, vp.speed_profile(result).duration)
+        print(poses.shape, clearance, vp.speed_profile(yard, result).duration)
     result.path.poses()  # type: ignore[union-attr]
     vp.plan(yard, straight)
     vp.plan(yard, vp.Planner("straight", straight, options={"share": (0.2, 0, 1)}))
@@ -51,6 +51,22 @@ def plans(folder: pathlib.Path) -> None:
     runs = vp.compare([yard], ["anytime", straight], folder).runs()
     print(len(runs), vp.read_store(folder / "runs.sqlite"))
     vp.plot(yard, result).set_title("yard")
+
+
+class Shape:
+    @property
+    def __geo_interface__(self) -> dict[str, object]:
+        return {}
+
+
+def shapes(yard: vp.Scenario, result: vp.Result) -> None:
+    vp.Scenario((0, 0, 0), (1, 0, 0), obstacles=[Shape(), yard.obstacles[0]], kerbs=Shape())
+    vp.Scenario((0, 0, 0), (1, 0, 0), obstacles=3)  # type: ignore[arg-type]
+    print(yard.obstacles[0].__geo_interface__, yard.__geo_interface__, yard._repr_html_())
+    if result.path is not None:
+        print(np.asarray(result.path), result.path.__geo_interface__)
+    vp.read_result(yard, "r.json")
+    vp.read_result("r.json", "r.json")  # type: ignore[call-overload]
 
 
 def ends(yard: vp.Scenario) -> int:

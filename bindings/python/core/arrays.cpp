@@ -83,8 +83,8 @@ Pose pose_from(const py::handle& given, const char* where) {
                               " poses, expected one, [x, y, heading]");
 }
 
-void warn(const std::string& message) {
-  if (PyErr_WarnEx(PyExc_UserWarning, message.c_str(), 1) != 0) throw py::error_already_set();
+void warn(const std::string& message, PyObject* category) {
+  if (PyErr_WarnEx(category, message.c_str(), 1) != 0) throw py::error_already_set();
 }
 
 void warn_of_degrees(std::span<const Pose> poses, const std::string& where) {
@@ -97,11 +97,46 @@ void warn_of_degrees(std::span<const Pose> poses, const std::string& where) {
   }
 }
 
+namespace {
+
+/// Whether an object is one of shapely, geopandas or another library with the same protocol.
+bool is_shape(const py::handle& given) {
+  return !py::isinstance<py::array>(given) && py::hasattr(given, "__geo_interface__");
+}
+
+/// Python's list with the corners of each polygon of such an object.
+py::list rings_of(const py::handle& shape, const std::string& where) {
+  return py::module_::import("vandplan.shapes").attr("rings_of")(shape, where);
+}
+
+}  // namespace
+
 Polygon polygon_from(const py::handle& given, const std::string& where) {
   const char* const expected = "the corners of a polygon, of the shape (N, 2)";
+  if (is_shape(given)) {
+    const py::list rings = rings_of(given, where);
+    if (rings.size() == 1) return polygon_from(rings[0], where);
+    throw InputError(where, "has " + std::to_string(rings.size()) + " polygons, expected one");
+  }
   const Numbers numbers = rows_from(given, 2, where, expected);
   const auto* const corners = reinterpret_cast<const Point*>(numbers.data());
   return {corners, corners + numbers.size() / 2};
+}
+
+std::vector<Polygon> polygons_from(const py::object& given, const std::string& where) {
+  std::vector<Polygon> polygons;
+  const auto place = [&] { return where + "[" + std::to_string(polygons.size()) + "]"; };
+  const py::object all = is_shape(given) ? py::object(rings_of(given, where)) : given;
+  for (const py::handle one : all) {
+    if (!is_shape(one)) {
+      polygons.push_back(polygon_from(one, place()));
+      continue;
+    }
+    for (const py::handle ring : rings_of(one, place())) {
+      polygons.push_back(polygon_from(ring, place()));
+    }
+  }
+  return polygons;
 }
 
 Numbers numbers_from(const py::handle& given, const char* where) {
@@ -122,10 +157,10 @@ py::array_t<double> array_of(std::span<const Pose> poses) {
   return array;
 }
 
-py::array_t<double> array_of(std::span<const Point> points) {
+py::object array_of(std::span<const Point> points) {
   py::array_t<double> array({static_cast<py::ssize_t>(points.size()), py::ssize_t{2}});
   std::ranges::copy(points, reinterpret_cast<Point*>(array.mutable_data()));
-  return array;
+  return array.attr("view")(py::module_::import("vandplan.shapes").attr("Polygon"));
 }
 
 py::array_t<double> array_of(std::span<const Segment> segments) {

@@ -55,18 +55,24 @@ class Poses {
 /// poses: "start" becomes "start.heading", or "starts[3].heading" among several.
 void warn_of_degrees(std::span<const Pose> poses, const std::string& where);
 
-/// Issues a Python UserWarning at the caller's line.
-void warn(const std::string& message);
+/// Issues a Python warning at the caller's line.
+void warn(const std::string& message, PyObject* category = PyExc_UserWarning);
 
-/// Polygon from an (N, 2) array of corners. Throws InputError naming `where`.
+/// Polygon from an (N, 2) array of corners, or from an object with `__geo_interface__`, such as a
+/// polygon of shapely. Throws InputError naming `where`.
 [[nodiscard]] Polygon polygon_from(const py::handle& given, const std::string& where);
+
+/// Polygons from a sequence of what `polygon_from` takes, or from one object of shapely or
+/// geopandas. Throws InputError naming `where`.
+[[nodiscard]] std::vector<Polygon> polygons_from(const py::object& given, const std::string& where);
 
 /// Numbers from an array of any shape. Throws InputError naming `where` if they are none.
 [[nodiscard]] Numbers numbers_from(const py::handle& given, const char* where);
 
 [[nodiscard]] py::array_t<double> array_of(const Pose& pose);
 [[nodiscard]] py::array_t<double> array_of(std::span<const Pose> poses);
-[[nodiscard]] py::array_t<double> array_of(std::span<const Point> points);
+/// Corners of a polygon: an array that shapely reads, too.
+[[nodiscard]] py::object array_of(std::span<const Point> points);
 /// Array with a row [curvature, length, curvature_rate] for each segment.
 [[nodiscard]] py::array_t<double> array_of(std::span<const Segment> segments);
 

@@ -23,6 +23,8 @@ void bind_speed(pybind11::module_& module);
 void bind_driving(pybind11::module_& module);
 void bind_live(pybind11::module_& module);
 void bind_evaluation(pybind11::module_& module);
+/// Adds methods to classes of the other parts.
+void bind_protocols(pybind11::module_& module);
 
 /// Rewrites the first lines of all docstrings as signatures. Must be called last.
 void sign_all(pybind11::module_& module);

@@ -67,6 +67,7 @@ PYBIND11_MODULE(_core, module) {
   own::bind_driving(module);
   own::bind_live(module);
   own::bind_evaluation(module);
+  own::bind_protocols(module);
   own::sign_all(module);
   const vandplan::BuildInfo build = vandplan::build_info();
   module.attr("__version__") = build.version;

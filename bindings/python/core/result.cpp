@@ -86,14 +86,20 @@ std::string result_text(const RunResult& self) {
 
 std::string picture_of(const CheckedScenario& scenario, const RunResult* result,
                        PictureFormat format, int width) {
-  Drawing drawing{.scenario = &scenario.scenario()};
-  if (result != nullptr && plan_of(*result).path) drawing.path = &*plan_of(*result).path;
-  if (drawing.path != nullptr && plan_of(*result).speeds)
-    drawing.speeds = &*plan_of(*result).speeds;
-  if (result != nullptr && plan_of(*result).tree) drawing.tree = &*plan_of(*result).tree;
-  if (result != nullptr) drawing.hit = plan_of(*result).hit;
+  const Drawing drawing = drawing_of(scenario, result);
   const py::gil_scoped_release release;
   return vandplan::draw(drawing, format, width);
+}
+
+RunResult result_in(py::object given, py::object file) {
+  if (py::isinstance<CheckedScenario>(file)) {
+    std::swap(given, file);
+    warn("read_result(file, scenario) is now read_result(scenario, file)",
+         PyExc_DeprecationWarning);
+  }
+  const auto& scenario = given.cast<const CheckedScenario&>();
+  std::vector<ResultRecord> records = read_results(file.cast<FileName>().string(), scenario.file());
+  return RunResult{scenario, nullptr, std::move(records.front())};
 }
 
 void draw_to(const CheckedScenario& scenario, const RunResult* result, const FileName& file,
@@ -196,6 +202,17 @@ PathClaims claims_of(const RunResult& result) {
           .goal = result.record.result.goal};
 }
 
+Drawing drawing_of(const CheckedScenario& scenario, const RunResult* result) {
+  Drawing drawing{.scenario = &scenario.scenario()};
+  if (result == nullptr) return drawing;
+  const PlanResult& plan = plan_of(*result);
+  if (plan.path) drawing.path = &*plan.path;
+  if (plan.path && plan.speeds) drawing.speeds = &*plan.speeds;
+  if (plan.tree) drawing.tree = &*plan.tree;
+  drawing.hit = plan.hit;
+  return drawing;
+}
+
 const Path& path_from(const py::handle& given) {
   if (py::isinstance<Path>(given)) return given.cast<const Path&>();
   if (py::isinstance<PathDrive>(given)) return given.cast<const PathDrive&>().path;
@@ -215,15 +232,9 @@ void bind_result(py::module_& module) {
 Draws a scenario, and a result unless that is None, into a file (.png, .svg or .pdf).
 
 `width` is in pixels or points. `plot` draws with matplotlib instead.)");
-  module.def(
-      "read_result",
-      [](const FileName& file, const CheckedScenario& scenario) {
-        std::vector<ResultRecord> records = read_results(file.string(), scenario.file());
-        return RunResult{scenario, nullptr, std::move(records.front())};
-      },
-      "file"_a, "scenario"_a,
-      "read_result(file, scenario) -> Result\n\nReads a result file that belongs to this "
-      "scenario.");
+  module.def("read_result", &result_in, "scenario"_a, "file"_a,
+             "read_result(scenario, file) -> Result\n\nReads a result file that belongs to this "
+             "scenario.");
 }
 
 }  // namespace vandplan::python

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "bindings/python/core/scenario.h"
+#include "vandplan/draw.h"
 #include "vandplan/result_file.h"
 
 namespace vandplan::python {
@@ -30,6 +31,9 @@ void pickle_result(pybind11::class_<RunResult>& result);
 
 /// Claims of a result about its path, as its file would state them.
 [[nodiscard]] PathClaims claims_of(const RunResult& result);
+
+/// Drawing of a scenario and, unless it is null, a result.
+[[nodiscard]] Drawing drawing_of(const CheckedScenario& scenario, const RunResult* result);
 
 /// Path of a result or a drive, or a path itself. Throws InputError naming "path" if there is none.
 [[nodiscard]] const Path& path_from(const pybind11::handle& given);

@@ -54,14 +54,6 @@ Bounds bounds_from(const py::object& given, const std::optional<OccupancyGrid>& 
   return {b[0], b[1], b[2], b[3]};
 }
 
-std::vector<Polygon> polygons_from(const py::iterable& given, const char* where) {
-  std::vector<Polygon> polygons;
-  for (const py::handle polygon : given) {
-    polygons.push_back(polygon_from(polygon, fmt::format("{}[{}]", where, polygons.size())));
-  }
-  return polygons;
-}
-
 py::list arrays_of(const std::vector<Polygon>& polygons) {
   py::list list;
   for (const Polygon& polygon : polygons) list.append(array_of(std::span<const Point>(polygon)));
@@ -69,14 +61,14 @@ py::list arrays_of(const std::vector<Polygon>& polygons) {
 }
 
 CheckedScenario make_scenario(const py::object& start, const py::object& goal,
-                              const py::object& bounds, const py::iterable& obstacles,
-                              const py::iterable& kerbs, const py::object& grid,
+                              const py::object& bounds, const py::object& obstacles,
+                              const py::object& kerbs, const py::object& grid,
                               const py::object& resolution, const py::object& origin,
                               const py::object& vehicle, double start_curvature,
                               double goal_curvature, double start_hitch_angle,
                               double goal_hitch_angle, const std::string& name,
                               const py::dict& options, const std::vector<MovingObstacle>& moving,
-                              const py::iterable& inside) {
+                              const py::object& inside) {
   Scenario scenario{.name = name,
                     .vehicle = vehicle_from(vehicle),
                     .start = pose_from(start, "start"),
@@ -241,7 +233,8 @@ A planning problem, checked and immutable. Units are metres and radians.
 - `start`: pose [x, y, heading] of the midpoint of the rear axle.
 - `goal`: a pose, a `GoalRegion`, or a sequence of `GoalRegion` objects.
 - `bounds`: range of the rear axle (x_min, x_max, y_min, y_max); that of the grid by default.
-- `obstacles`, `kerbs`: simple polygons, arrays of shape (N, 2). Only the wheels keep off kerbs.
+- `obstacles`, `kerbs`: simple polygons, arrays of shape (N, 2) or polygons of shapely and
+  geopandas without holes. Only the wheels keep off kerbs.
 - `inside`: simple polygons, in one of which the whole body must stay.
 - `grid`: an `OccupancyGrid`, or a 2-D array with its `resolution` and `origin`.
 - `moving`: `MovingObstacle` objects.

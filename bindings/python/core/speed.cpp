@@ -62,30 +62,57 @@ PathDrive fastest_drive(const Path& path, const Vehicle& vehicle, double start_c
   return {path, vehicle, speed_profile(path, vehicle, {start_curvature})};
 }
 
-PathDrive chosen_drive(const py::object& path, const py::object& vehicle, double start_curvature) {
-  if (!py::isinstance<RunResult>(path)) {
-    if (vehicle.is_none()) {
-      throw InputError("vehicle", "is missing: a path does not say who drives it");
-    }
-    return fastest_drive(path_from(path), vehicle_from(vehicle), start_curvature);
-  }
-  const auto& result = path.cast<const RunResult&>();
-  if (std::optional<PathDrive> planned = planned_drive(result)) {
-    if (vehicle.is_none()) return *std::move(planned);
+/// Drive of a vehicle that heeds nobody.
+PathDrive drive_of(const py::object& vehicle, const py::object& path, double start_curvature) {
+  if (py::isinstance<RunResult>(path) && planned_drive(path.cast<const RunResult&>())) {
     throw InputError("vehicle",
                      "is given, but the times of this result are those of its own "
                      "vehicle among what moves; pass result.path for others");
   }
-  if (!vehicle.is_none()) {
-    return fastest_drive(path_from(path), vehicle_from(vehicle), start_curvature);
+  return fastest_drive(path_from(path), vehicle_from(vehicle), start_curvature);
+}
+
+/// Drive of a scenario's vehicle: the planned one, if the path has times.
+PathDrive drive_in(const Scenario& scenario, const py::object& path,
+                   std::optional<double> start_curvature) {
+  if (py::isinstance<RunResult>(path)) {
+    if (auto planned = planned_drive(path.cast<const RunResult&>())) return *std::move(planned);
   }
-  const Scenario& scenario = result.scenario.scenario();
   if (!scenario.moving.empty()) {
     throw InputError("path",
                      "has no times, and something moves in its scenario: pass its vehicle "
                      "for a drive that heeds nobody");
   }
-  return fastest_drive(path_from(path), scenario.vehicle, scenario.curvatures.start);
+  return fastest_drive(path_from(path), scenario.vehicle,
+                       start_curvature.value_or(scenario.curvatures.start));
+}
+
+/// Drive by the arguments of version 0.2: speed_profile(path, vehicle=None, start_curvature=0).
+PathDrive drive_by_old_order(const py::object& path, const py::object& vehicle,
+                             std::optional<double> start_curvature) {
+  warn(
+      "speed_profile(path, vehicle) is now speed_profile(scenario, path) or "
+      "speed_profile(vehicle, path)",
+      PyExc_DeprecationWarning);
+  if (!vehicle.is_none()) return drive_of(vehicle, path, start_curvature.value_or(0.0));
+  if (!py::isinstance<RunResult>(path)) {
+    throw InputError("vehicle", "is missing: a path does not say who drives it");
+  }
+  return drive_in(path.cast<const RunResult&>().scenario.scenario(), path, {});
+}
+
+PathDrive chosen_drive(const py::object& scenario, const py::object& path,
+                       std::optional<double> start_curvature, const py::object& vehicle) {
+  if (scenario.is_none()) return drive_by_old_order(path, vehicle, start_curvature);
+  if (py::isinstance<Path>(scenario) || py::isinstance<PathDrive>(scenario) ||
+      py::isinstance<RunResult>(scenario)) {
+    return drive_by_old_order(scenario, path.is_none() ? vehicle : path, start_curvature);
+  }
+  if (!vehicle.is_none()) throw InputError("vehicle", "is that of the scenario");
+  if (!py::isinstance<CheckedScenario>(scenario)) {
+    return drive_of(scenario, path, start_curvature.value_or(0.0));
+  }
+  return drive_in(scenario.cast<const CheckedScenario&>().scenario(), path, start_curvature);
 }
 
 constexpr std::array knot_numbers = {&SpeedKnot::t, &SpeedKnot::s, &SpeedKnot::v, &SpeedKnot::a,
@@ -205,16 +232,16 @@ Keys: t [s], s [m], x, y, heading, curvature [1/m], steering_angle [rad], direct
         return fmt::format("<vandplan.SpeedProfile: {:.2f} m in {:.2f} s, {} stops>",
                            length(self.path), self.profile.duration, self.profile.stops.size());
       });
-  module.def("speed_profile", &chosen_drive, "path"_a, "vehicle"_a = py::none(),
-             "start_curvature"_a = 0.0,
-             R"(speed_profile(path, vehicle=None, start_curvature=0) -> SpeedProfile
+  module.def("speed_profile", &chosen_drive, "scenario"_a = py::none(), "path"_a = py::none(),
+             "start_curvature"_a = py::none(), py::kw_only(), "vehicle"_a = py::none(),
+             R"(speed_profile(scenario, path, start_curvature=None) -> SpeedProfile
 
 Fastest drive along a `Path`, or along the path of a `Result`, within the limits of the vehicle.
 
 The vehicle stops wherever the gear changes or the curvature jumps, until the wheels are turned.
-`start_curvature` is the curvature that they are turned to before the start [1/m]. `vehicle` is
-required for a `Path`. A `Result` that was planned among moving obstacles has a drive already,
-`Result.speeds`, which is returned.)");
+`start_curvature` is the curvature that they are turned to before the start [1/m]; that of the
+scenario by default. A `Result` that was planned among moving obstacles has a drive already,
+`Result.speeds`, which is returned. A vehicle in place of the scenario heeds nobody.)");
 }
 
 }  // namespace vandplan::python

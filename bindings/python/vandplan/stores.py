@@ -24,7 +24,7 @@ ORDER BY runs.id
 """
 
 
-def _refusal(where: object, problem: str) -> Exception:
+def refusal(where: object, problem: str) -> Exception:
     from vandplan._core import InputError
 
     error = InputError(f"{where}: {problem}")
@@ -52,11 +52,11 @@ def read_store(file: str | os.PathLike[str]) -> pandas.DataFrame:
 
     path = pathlib.Path(file)
     if not path.is_file():
-        raise _refusal(path, "there is no such file")
+        raise refusal(path, "there is no such file")
     connection = sqlite3.connect(path.resolve().as_uri() + "?mode=ro", uri=True)
     try:
         return pandas.read_sql_query(_RUNS, connection)
     except (sqlite3.DatabaseError, pandas.errors.DatabaseError):
-        raise _refusal(path, "is not a result store of vandplan") from None
+        raise refusal(path, "is not a result store of vandplan") from None
     finally:
         connection.close()
