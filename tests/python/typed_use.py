@@ -44,13 +44,33 @@ def plans(folder: pathlib.Path) -> None:
     vp.plan(yard, straight)
     vp.plan(yard, vp.Planner("straight", straight, options={"share": (0.2, 0, 1)}))
     vp.plan(yard, wrong)  # type: ignore[arg-type]
-    vp.plan(yard, time="soon")  # type: ignore[arg-type]
+    vp.plan(yard, time="soon")  # type: ignore[call-overload]
     vp.Scenario((0, 0, 0), (1, 0, 0), bouns=(0, 1, 0, 1))  # type: ignore[call-arg]
     for one in vp.plan_many(yard, [yard.start], yard.goal, threads=2):
         one.save(folder / "r.json")
     runs = vp.compare([yard], ["anytime", straight], folder).runs()
     print(len(runs), vp.read_store(folder / "runs.sqlite"))
     vp.plot(yard, result).set_title("yard")
+
+
+def options(yard: vp.Scenario, planner: str) -> None:
+    vp.plan(yard, margin=0.3, style="shortest", steering="continuous", gears="forward", cost="time", threads=2)
+    vp.plan(yard, planner, estimate="choi", keep_tree=True, max_nodes=100, goal_bias=0.1)
+    vp.plan(yard, tme=3)  # type: ignore[call-overload]
+    vp.plan(yard, style="foo")  # type: ignore[call-overload]
+    vp.plan(yard, margin="wide")  # type: ignore[call-overload]
+    vp.plan(yard, keep_tree="yes")  # type: ignore[call-overload]
+    mine = vp.Planner("mine", straight, options={"share": 0.2})
+    vp.plan(yard, mine, share=0.3)
+    vp.plan_many(yard, [yard.start], yard.goal, margin=0.3, threads=2)
+    vp.plan_many(yard, [yard.start], yard.goal, marign=0.3)  # type: ignore[call-overload]
+    vp.smooth(yard, vp.plan(yard), margin=0.3)
+    vp.smooth(yard, vp.plan(yard), tme=3)  # type: ignore[call-arg]
+    vp.drive_live(yard, steering="foo")  # type: ignore[arg-type]
+    vp.Replanner(yard, tme=3)  # type: ignore[call-arg]
+    vp.compare([yard], ["anytime", straight, mine], "out", margin=0.3)
+    vp.compare([yard], ["anytime"], "out", tme=3)  # type: ignore[list-item]
+    vp.compare([yard], [mine], "out", share=0.3)
 
 
 class Shape:

@@ -76,6 +76,25 @@ py::object object_of_json(const std::string& json) {
 
 }  // namespace
 
+py::dict said_of_common_options() {
+  py::dict said;
+  const auto ask = [&](std::string_view name, std::string_view summary, const auto& set) {
+    try {
+      set("?");
+    } catch (const InputError& error) {
+      said[py::str(name)] = py::make_tuple(summary, error.problem());
+    }
+  };
+  for (const CommonOption& common : common_options()) {
+    ask(common.name, common.summary, [&](std::string_view value) {
+      PlanOptions any;
+      common.set(any, value);
+    });
+  }
+  ask("style", "prices and steering that hold where none is set", style_named);
+  return said;
+}
+
 py::dict dict_of(const Planner& planner, const PlanOptions& options) {
   py::dict all;
   for (const CommonOption& common : common_options()) {

@@ -43,6 +43,10 @@ void set_keywords(PlanOptions& options, const Planner& planner, const RunKeyword
 /// Options in force: those of all planners and the planner's own.
 [[nodiscard]] pybind11::dict dict_of(const Planner& planner, const PlanOptions& options);
 
+/// For each option of all planners: its meaning, and the refusal of a wrong value, which names what
+/// is right. Types are made of it (make_stub).
+[[nodiscard]] pybind11::dict said_of_common_options();
+
 /// Python value of a planner's own option.
 [[nodiscard]] pybind11::object object_of(const OptionValue& value);
 

@@ -215,7 +215,7 @@ void bind_own_planner(py::module_& module) {
   py::class_<Planner, std::shared_ptr<Planner>>(
       module, "Planner",
       R"(Planner(name, function, *, summary="", options={}, capabilities=(), anytime=False,
-    deterministic=True)
+    deterministic=True, honours_prices=False, honours_gears=False)
 
 A planner for `plan` and `compare` that calls a Python function.
 
@@ -223,13 +223,12 @@ A planner for `plan` and `compare` that calls a Python function.
   checks every path.
 - `options`: options of the planner. Each name has a default, (default, least, most), or (default,
   [word, ...]).
-- `capabilities`: names of what the planner can do. Other options are refused.
-  - "prices": it minimises the cost; otherwise the cost is the length.
-  - "gears": it accepts `gears`. The pieces of its task then use the allowed gears only, and so must
-    its path.
-  - "steering": it accepts `steering`, which the pieces of its task follow.
-  - "target_gap": its answers have lower bounds.
-- `anytime`, `deterministic`: properties that `properties` reports.)")
+- `capabilities`: names of what the planner can do. Other options are refused. With "prices" it
+  minimises the cost; otherwise the cost is the length. With "gears" it accepts `gears`: the pieces
+  of its task use the allowed gears only, and so must its path. With "steering" it accepts
+  `steering`, which the pieces of its task follow. With "target_gap" its answers have lower bounds.
+- `anytime`, `deterministic`: properties that `properties` reports.
+- `honours_prices`, `honours_gears`: old names of the capabilities "prices" and "gears".)")
       .def(py::init(&planner_from_keywords), "name"_a, "function"_a, py::kw_only(),
            "summary"_a = "", "options"_a = py::dict(),
            "capabilities"_a = std::vector<std::string>(), "anytime"_a = false,
@@ -265,6 +264,7 @@ other ways are searched. Ignored with a trailer or among moving obstacles.)");
         return all;
       },
       "planners() -> list of Planner\n\nAll planners of the library, the default one first.");
+  module.def("_common_options", &said_of_common_options);
   bind_path_source(module);
 }
 

@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026, the Vändplan authors
 #
-# Types of the C++ part of the module. help() describes it.
+# Types of the C++ part of the module. A build adds docstrings and the options of planners (make_stub).
 
 import os
 from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
-from typing import Any, Literal, Protocol, Union, overload
+from typing import Any, Literal, Protocol, TypedDict, Union, overload
 
 import numpy as np
 import pandas
 from numpy.typing import ArrayLike, NDArray
+from typing_extensions import Unpack
 
 from vandplan.shapes import Polygon
 
@@ -32,6 +33,11 @@ class _Shape(Protocol):
     def __geo_interface__(self) -> Any: ...
 
 _Outline = Union[ArrayLike, _Shape]
+
+class _Options(TypedDict, total=False): ...
+
+class _OptionsAndThreads(_Options, total=False):
+    threads: int
 
 class InputError(ValueError):
     where: str
@@ -578,7 +584,7 @@ class Replanner:
         time: float | None = None,
         max_iterations: int | None = None,
         seed: int = 1,
-        **options: _Option,
+        **options: Unpack[_OptionsAndThreads],
     ) -> None: ...
     def tick(
         self, t: float, pose: ArrayLike | None = None, *, v: float = 0.0, curvature: float = 0.0
@@ -705,9 +711,21 @@ def with_sources(
     *,
     share: int = 16,
 ) -> Planner: ...
+@overload
 def plan(
     scenario: Scenario,
-    planner: _AnyPlanner = "anytime",
+    planner: str | _Function = "anytime",
+    *,
+    time: float | None = None,
+    max_iterations: int | None = None,
+    seed: int = 1,
+    on_interrupt: Literal["raise", "return"] = "raise",
+    **options: Unpack[_OptionsAndThreads],
+) -> Result: ...
+@overload
+def plan(
+    scenario: Scenario,
+    planner: Planner,
     *,
     time: float | None = None,
     max_iterations: int | None = None,
@@ -715,11 +733,25 @@ def plan(
     on_interrupt: Literal["raise", "return"] = "raise",
     **options: _Option,
 ) -> Result: ...
+@overload
 def plan_many(
     scenario: Scenario,
     starts: ArrayLike,
     goals: ArrayLike,
-    planner: _AnyPlanner = "anytime",
+    planner: str | _Function = "anytime",
+    *,
+    threads: int = 1,
+    time: float | None = None,
+    max_iterations: int | None = None,
+    seed: int = 1,
+    **options: Unpack[_Options],
+) -> list[Result]: ...
+@overload
+def plan_many(
+    scenario: Scenario,
+    starts: ArrayLike,
+    goals: ArrayLike,
+    planner: Planner,
     *,
     threads: int = 1,
     time: float | None = None,
@@ -744,7 +776,7 @@ def smooth(
     time: float | None = None,
     max_iterations: int | None = None,
     seed: int = 1,
-    **options: _Option,
+    **options: Unpack[_OptionsAndThreads],
 ) -> Result: ...
 @overload
 def speed_profile(
@@ -799,12 +831,29 @@ def drive_live(
     keep_log: bool = False,
     time: float | None = None,
     max_iterations: int | None = None,
-    **options: _Option,
+    **options: Unpack[_OptionsAndThreads],
 ) -> LiveDriveResult: ...
 def draw(scenario: Scenario, result: Result | None, file: _File, width: int = 800) -> None: ...
+@overload
 def compare(
     scenarios: Iterable[Scenario],
     planners: Iterable[_AnyPlanner],
+    folder: _File,
+    *,
+    repeats: int = 5,
+    repeats_per_goal: int = 1,
+    time: float | None = None,
+    max_iterations: int | None = None,
+    seed: int = 1,
+    regions: Sequence[Literal["bounds", "scene"]] = ...,
+    jobs: int = 1,
+    progress: Callable[[int, int], object] | None = None,
+    **options: Unpack[_OptionsAndThreads],
+) -> Comparison: ...
+@overload
+def compare(
+    scenarios: Iterable[Scenario],
+    planners: Iterable[Planner],
     folder: _File,
     *,
     repeats: int = 5,
