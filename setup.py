@@ -1,35 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026, the Vändplan authors
-"""Builds and installs the Python package: pip install . (docs/python.md)."""
+"""Builds the wheel with scikit-build, which Debian 12 has. Everything else is in pyproject.toml."""
 
 import pathlib
 import re
 
 from skbuild import setup
 
-root = pathlib.Path(__file__).parent
-version = re.search(r"VERSION ([0-9.]+)", (root / "CMakeLists.txt").read_text("utf-8").split("project(")[1])
+project = (pathlib.Path(__file__).parent / "CMakeLists.txt").read_text("utf-8")
 
 setup(
-    name="vandplan",
-    version=version.group(1),
-    description="Plans paths for trucks and buses",
-    license="BSD-3-Clause",
+    version=re.search(r"project\(vandplan VERSION ([0-9.]+)", project).group(1),
     packages=["vandplan"],
     package_dir={"": "bindings/python"},
-    package_data={"vandplan": ["py.typed", "*.pyi"]},
-    python_requires=">=3.9",
-    install_requires=["numpy"],
-    extras_require={"plot": ["matplotlib"], "frames": ["pandas"]},
-    cmake_args=[
-        "-DVANDPLAN_PYTHON=ON",
-        "-DVANDPLAN_EVALUATION=ON",
-        "-DVANDPLAN_IO=ON",
-        "-DVANDPLAN_DRAW=ON",
-        "-DVANDPLAN_APP=OFF",
-        "-DVANDPLAN_TESTS=OFF",
-        "-DVANDPLAN_INSTALL=OFF",
-        "-DVANDPLAN_UNITY=ON",  # half the work in a build from nothing
-    ],
-    cmake_install_target="install",
+    package_data={"vandplan": ["py.typed"]},
+    cmake_languages=("CXX",),
+    cmake_install_dir="bindings/python",
+    cmake_install_target="install/strip",
 )

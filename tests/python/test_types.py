@@ -23,7 +23,7 @@ def mypy(module, *arguments, folder):
 def test_package_and_users_pass_mypy(tmp_path):
     # As an installed package is found, by its py.typed.
     config = f"--config-file={HERE / 'mypy.ini'}"
-    files = [str(HERE / "typed_use.py"), *(str(PACKAGE / f"{name}.py") for name in ("plotting", "shapes", "stores"))]
+    files = [str(HERE / "typed_use.py"), *(str(PACKAGE / f"{name}.py") for name in ("__main__", "plotting", "shapes", "stores"))]
     environment = ["--cache-dir", str(tmp_path / "cache")]
     checked = mypy("mypy", config, *environment, *files, folder=PACKAGE.parent)
     assert checked.returncode == 0, checked.stdout + checked.stderr
