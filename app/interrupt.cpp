@@ -2,26 +2,29 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "interrupt.h"
 
+#include <atomic>
 #include <csignal>
 
 namespace vandplan::app {
 namespace {
 
-std::atomic<bool> stop_wanted = false;
-static_assert(std::atomic<bool>::is_always_lock_free);  // required in a signal handler
+// Asking for a stop changes atomic integers without a lock, as a signal handler may, as long as
+// nobody has registered a callback.
+std::stop_source stop_wanted;
+static_assert(std::atomic<unsigned>::is_always_lock_free);
 
 extern "C" void request_stop(int) {
-  stop_wanted = true;
+  stop_wanted.request_stop();
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
 }
 
 }  // namespace
 
-const std::atomic<bool>* stop_on_signal() {
+std::stop_token stop_on_signal() {
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
-  return &stop_wanted;
+  return stop_wanted.get_token();
 }
 
 }  // namespace vandplan::app

@@ -3,12 +3,12 @@
 #pragma once
 // How does Ctrl-C end a run cleanly?
 
-#include <atomic>
+#include <stop_token>
 
 namespace vandplan::app {
 
-/// Flag that SIGINT and SIGTERM set to true from the first call on. A second signal ends the
-/// program.
-[[nodiscard]] const std::atomic<bool>* stop_on_signal();
+/// Token that SIGINT and SIGTERM ask to stop from the first call on. A second signal ends the
+/// program. Nobody may register a callback with the token.
+[[nodiscard]] std::stop_token stop_on_signal();
 
 }  // namespace vandplan::app

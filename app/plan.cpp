@@ -125,7 +125,7 @@ int run(const PlanArguments& arguments) {
     return complete(planner, options, vehicle);
   };
   (void)options_with({}, {});  // finds wrong options before a long read
-  const std::atomic<bool>* const stop = stop_on_signal();
+  const std::stop_token stop = stop_on_signal();
   check_outputs(arguments);
   const ScenarioProblems read = read_problems(arguments.scenario);
   PlanOptions options = options_with(read.file.options, read.file.scenario.vehicle);

@@ -103,7 +103,7 @@ int run(const SmoothArguments& arguments) {
   PlanOptions typed;
   set_typed(typed, smoother({}, method), arguments.options);
   (void)complete(smoother({}, method), typed);
-  const std::atomic<bool>* const stop = stop_on_signal();
+  const std::stop_token stop = stop_on_signal();
   if (arguments.output) {
     expect_ending(*arguments.output, result_file);
     expect_writable(*arguments.output);

@@ -10,6 +10,7 @@
 #include <exception>
 #include <map>
 #include <mutex>
+#include <stop_token>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -81,13 +82,13 @@ class JobList {
   std::vector<Job> jobs_;
 };
 
-Finished carry_out(const Job& job, const std::atomic<bool>& stop) {
+Finished carry_out(const Job& job, const std::stop_token& stop) {
   Finished finished{job.run, 0.0};
   RunRecord& run = finished.run;
   run.started = utc_now();
   PlanOptions options = *run.options;
   options.budget.seed = run.seed;
-  options.budget.stop = &stop;
+  options.budget.stop = stop;
   const search::Budget clock(options.budget);  // clock of the same kind as the planner's
   run.result = plan(*job.problem, *job.planner, options);
   finished.judging_time = clock.elapsed() - run.result.time_total;
@@ -106,7 +107,7 @@ class Workers {
   Workers& operator=(const Workers&) = delete;
 
   /// Ends and drops the runs in flight.
-  void stop() { stop_ = true; }
+  void stop() { stop_.request_stop(); }
 
   /// Runs that have finished since the last call. Waits a moment if there are none. At the end it
   /// returns none and sets `done`. Throws what a planner has thrown.
@@ -123,8 +124,8 @@ class Workers {
   void work() {
     try {
       for (std::size_t i = next_++; i < jobs_.size(); i = next_++) {
-        Finished finished = carry_out(jobs_[i], stop_);
-        if (stop_) break;  // the run may have been cut short
+        Finished finished = carry_out(jobs_[i], stop_.get_token());
+        if (stop_.stop_requested()) break;  // the run may have been cut short
         const std::lock_guard lock(mutex_);
         finished_.push_back(std::move(finished));
         changed_.notify_one();
@@ -141,7 +142,7 @@ class Workers {
 
   const std::vector<Job>& jobs_;
   std::atomic<std::size_t> next_ = 0;
-  std::atomic<bool> stop_ = false;
+  std::stop_source stop_;
   std::mutex mutex_;
   std::condition_variable changed_;
   int active_;  // number of working threads; guarded by `mutex_`, as are the next two members
@@ -152,8 +153,7 @@ class Workers {
 };
 
 // Runs each planner briefly. Otherwise its first run would pay for loading its code and tables.
-void warm_up(const Campaign& campaign, const std::vector<Job>& jobs,
-             const std::atomic<bool>* stop) {
+void warm_up(const Campaign& campaign, const std::vector<Job>& jobs, const std::stop_token& stop) {
   if (jobs.empty()) return;
   for (const Planner& planner : campaign.planners) {
     const Problem& problem = *jobs.front().problem;
@@ -193,7 +193,7 @@ Progress run_campaign(const Campaign& campaign, Store& store, const RunnerOption
   const Clock::time_point begin = Clock::now();
   Workers workers(list.jobs(), options.jobs);
   for (bool done = false; !done;) {
-    if (options.stop != nullptr && *options.stop) workers.stop();
+    if (options.stop.stop_requested()) workers.stop();
     for (const Finished& finished : workers.take(done)) {
       const Clock::time_point before = Clock::now();
       store.add(finished.run);

@@ -5,6 +5,7 @@
 // uses?
 //
 // Included before every file of the preset `web`. A library that has these parts skips the content.
+// Headers that are missing as a whole are in the folder `older`.
 
 #include <version>
 #if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 15000

@@ -11,11 +11,11 @@
 // Every planner runs on every problem with the same seeds, the judge checks every path, and every
 // run is kept. How it is done: docs/evaluation.md.
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -85,8 +85,8 @@ struct Progress {
 /// Options for carrying out a campaign.
 struct RunnerOptions {
   int jobs = 1;  ///< runs at the same time, each on one thread; >= 1
-  /// Ends the campaign when true; runs in flight are dropped.
-  const std::atomic<bool>* stop = nullptr;
+  /// Ends the campaign when asked to stop; runs in flight are dropped.
+  std::stop_token stop = {};
   /// Function that is called after every run and now and then, on the thread of the caller; or
   /// none.
   std::function<void(const Progress&)> report = {};

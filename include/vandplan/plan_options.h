@@ -7,13 +7,13 @@
 // the vehicle steers, and the options of one planner, which its registration names (planner.h). An
 // option that the chosen planner does not honour is an error.
 
-#include <atomic>
 #include <cstdint>
 #include <limits>
 #include <map>
 #include <memory>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -38,7 +38,7 @@ struct BudgetOptions {
   /// The run ends when its path is proven to cost at most 1 + `target_gap` times the optimum;
   /// [0, 1000]. None: it ends when the budget is spent.
   std::optional<double> target_gap = {};
-  const std::atomic<bool>* stop = nullptr;  ///< the run ends soon after this becomes true; or null
+  std::stop_token stop = {};  ///< the run ends soon after this is asked to stop
   /// Whether times, `time_limit` too, are processor time of the run's only thread: a busy machine
   /// then takes none of it. Ignored with several threads.
   bool processor_time = false;

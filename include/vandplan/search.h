@@ -12,6 +12,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "vandplan/continuous_steering.h"
@@ -52,7 +53,7 @@ class Budget {
 
   std::optional<double> time_limit_;
   std::optional<std::int64_t> max_iterations_;
-  const std::atomic<bool>* stop_;
+  std::stop_token stop_;
   bool by_processor_;
   std::chrono::steady_clock::time_point begin_;
   std::chrono::nanoseconds processor_begin_;

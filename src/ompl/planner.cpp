@@ -11,7 +11,6 @@
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
@@ -19,6 +18,7 @@
 #include <memory>
 #include <mutex>
 #include <numbers>
+#include <stop_token>
 #include <thread>
 #include <utility>
 
@@ -37,22 +37,24 @@ constexpr double endless = 1e9;  // Time limit that stands for none [s].
 /// Tests a condition at once and then about every millisecond, as long as the object lives.
 class Watch {
  public:
-  explicit Watch(const std::function<bool()>& has_ended)
-      : stop_(has_ended()), thread_([this, has_ended](const std::stop_token& token) {
-          std::mutex mutex;
-          std::unique_lock lock(mutex);
-          std::condition_variable_any sleep;
-          while (!stop_ && !token.stop_requested()) {
-            sleep.wait_for(lock, token, std::chrono::milliseconds(1), [] { return false; });
-            if (has_ended()) stop_ = true;
-          }
-        }) {}
+  explicit Watch(const std::function<bool()>& has_ended) {
+    if (has_ended()) stop_.request_stop();
+    thread_ = std::jthread([this, has_ended](const std::stop_token& token) {
+      std::mutex mutex;
+      std::unique_lock lock(mutex);
+      std::condition_variable_any sleep;
+      while (!stop_.stop_requested() && !token.stop_requested()) {
+        sleep.wait_for(lock, token, std::chrono::milliseconds(1), [] { return false; });
+        if (has_ended()) stop_.request_stop();
+      }
+    });
+  }
 
-  /// Becomes true when the condition holds.
-  [[nodiscard]] const std::atomic<bool>& stop() const { return stop_; }
+  /// Is asked to stop when the condition holds.
+  [[nodiscard]] std::stop_token stop() const { return stop_.get_token(); }
 
  private:
-  std::atomic<bool> stop_;
+  std::stop_source stop_;
   std::jthread thread_;
 };
 
@@ -174,11 +176,10 @@ ob::PlannerStatus Planner::solve(const ob::PlannerTerminationCondition& ptc) {
   const Problem problem =
       make_problem(given.world(), vehicle_in(*si_->getStateSpace(), given.vehicle()),
                    pose_of(start), pose_of(goal));
-  const std::atomic<bool>* const other = options_.budget.stop;
-  const Watch watch([&] { return ptc() || (other != nullptr && *other); });
+  const Watch watch([&] { return ptc() || options_.budget.stop.stop_requested(); });
   PlanOptions options = options_;
   options.clearance = checker.clearance_options();
-  options.budget.stop = &watch.stop();
+  options.budget.stop = watch.stop();
   if (!options.budget.time_limit && !options.budget.max_iterations) {
     options.budget.time_limit = endless;
   }

@@ -33,7 +33,7 @@ Budget::Budget(const BudgetOptions& options)
 
 std::optional<PlanStatus> Budget::exhausted() const {
   if (max_iterations_ && iterations_ >= *max_iterations_) return PlanStatus::iteration_limit;
-  if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) return PlanStatus::stopped;
+  if (stop_.stop_requested()) return PlanStatus::stopped;
   if (is_late()) return PlanStatus::time_limit;
   return std::nullopt;
 }
@@ -54,9 +54,7 @@ std::int64_t Budget::left(std::int64_t wanted, std::int64_t promised) const {
   return std::clamp<std::int64_t>(*max_iterations_ - iterations_ - promised, 0, wanted);
 }
 
-bool Budget::is_interrupted() const {
-  return (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) || is_late();
-}
+bool Budget::is_interrupted() const { return stop_.stop_requested() || is_late(); }
 
 // Reading the processor clock takes fifty times as long as reading the wall clock. A thread gets at
 // most one second of processor time a second, so the time left says when to read it next.

@@ -3,11 +3,11 @@
 // A program outside the repository compares its own planners with ours.
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <stop_token>
 #include <thread>
 
 #include "support/temporary_folder.h"
@@ -58,7 +58,7 @@ Planner endless_planner(int& asked) {
           .summary = "waits to be stopped",
           .function = [&asked](const Task&, const PlanOptions& options) {
             if (++asked > 2) {
-              while (!*options.budget.stop) std::this_thread::yield();
+              while (!options.budget.stop.stop_requested()) std::this_thread::yield();
             }
             return PlannerAnswer{};
           }};
@@ -140,14 +140,16 @@ TEST(Compare, DoesWhatIsMissing) {
 TEST(Compare, EndsWhenItIsStopped) {
   const TemporaryFolder folder;
   int asked = 0;
-  std::atomic<bool> stop = false;
-  const auto stop_early = [&](const Progress& now) { stop = now.done >= 1; };
+  std::stop_source stop;
+  const auto stop_early = [&](const Progress& now) {
+    if (now.done >= 1) stop.request_stop();
+  };
   const Campaign campaign{.scenarios = {{open_yard(), "yard.yaml"}},
                           .planners = {endless_planner(asked)},
                           .regions = {Region::bounds},
                           .repeats = 9};
-  const Comparison found =
-      evaluation::compare(campaign, folder / "out", {.stop = &stop, .report = stop_early});
+  const Comparison found = evaluation::compare(campaign, folder / "out",
+                                               {.stop = stop.get_token(), .report = stop_early});
   EXPECT_EQ(found.missing, 8);
   EXPECT_TRUE(std::filesystem::exists(found.page));
 }

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <map>
 #include <stdexcept>
+#include <stop_token>
 #include <thread>
 
 #include "support/made_up_runs.h"
@@ -44,7 +45,7 @@ PlannerAnswer plan_wrongly(const Task&, const PlanOptions&) {
 
 // Runs until it is stopped.
 PlannerAnswer plan_endlessly(const Task&, const PlanOptions& options) {
-  while (!*options.budget.stop) std::this_thread::yield();
+  while (!options.budget.stop.stop_requested()) std::this_thread::yield();
   return {};
 }
 
@@ -147,8 +148,9 @@ TEST(Runner, DropsWhatIsInFlightWhenStopped) {
   campaign.planners = {planner("direct", plan_directly)};
   run_campaign(campaign, store, {});
   campaign.planners.push_back(planner("endless", plan_endlessly));
-  const std::atomic<bool> stop = true;
-  const Progress progress = run_campaign(campaign, store, {.stop = &stop});
+  std::stop_source stop;
+  stop.request_stop();
+  const Progress progress = run_campaign(campaign, store, {.stop = stop.get_token()});
   EXPECT_EQ(progress.total, 40);
   EXPECT_EQ(progress.kept, 20);
   EXPECT_EQ(progress.done, 0);

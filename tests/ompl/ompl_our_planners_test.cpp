@@ -11,6 +11,7 @@
 #include <cmath>
 #include <memory>
 #include <sstream>
+#include <stop_token>
 
 #include "support/cases.h"
 #include "support/ompl_query.h"
@@ -112,7 +113,7 @@ TEST(OurPlannersInOmpl, TheTerminationConditionEndsTheRun) {
   std::atomic<int> asked = 0;
   Planner patient{.name = "patient", .summary = "waits"};
   patient.function = [](const Task&, const PlanOptions& options) {
-    while (!*options.budget.stop) {
+    while (!options.budget.stop.stop_requested()) {
     }
     return PlannerAnswer{};
   };
@@ -121,9 +122,10 @@ TEST(OurPlannersInOmpl, TheTerminationConditionEndsTheRun) {
   EXPECT_EQ(query.simple.solve(ob::PlannerTerminationCondition([&] { return ++asked > 3; })),
             ob::PlannerStatus::TIMEOUT);
   EXPECT_GT(asked, 3);
-  std::atomic<bool> stop = true;
+  std::stop_source stop;
+  stop.request_stop();
   PlanOptions stopped{.cost = shortest_style};
-  stopped.budget.stop = &stop;
+  stopped.budget.stop = stop.get_token();
   query.simple.setPlanner(std::make_shared<ompl::Planner>(query.si, patient, stopped));
   EXPECT_EQ(query.simple.solve(ob::plannerNonTerminatingCondition()), ob::PlannerStatus::TIMEOUT);
 }

@@ -3,9 +3,9 @@
 // What every planner in the table owes its caller.
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
 #include <numbers>
+#include <stop_token>
 
 #include "../support/planner_names.h"
 #include "../support/problems.h"
@@ -111,9 +111,10 @@ TEST_P(PlannerConformance, ATimeLimitOfZeroEndsAtOnce) {
 }
 
 TEST_P(PlannerConformance, StopsWhenTold) {
-  const std::atomic<bool> stop = true;
+  std::stop_source stop;
+  stop.request_stop();
   PlanOptions options;
-  options.budget.stop = &stop;
+  options.budget.stop = stop.get_token();
   const PlanResult result = run(walled_in(), options);
   EXPECT_EQ(result.status, PlanStatus::stopped);
   EXPECT_FALSE(result.path);

@@ -5,16 +5,20 @@
 #include <pybind11/pybind11.h>
 #include <signal.h>
 
+#include <atomic>
+
 namespace vandplan::python {
 namespace {
 
-std::atomic<bool> stop_wanted = false;
-static_assert(std::atomic<bool>::is_always_lock_free);  // A signal handler may set it.
+// Asking for a stop changes atomic integers without a lock, as a signal handler may, as long as
+// nobody has registered a callback.
+std::stop_source stop_wanted{std::nostopstate};
+static_assert(std::atomic<unsigned>::is_always_lock_free);
 struct sigaction previous = {};
 int depth = 0;  // Nested objects, since planners in Python may plan themselves.
 
 extern "C" void note_interrupt(int signal) {
-  stop_wanted = true;
+  stop_wanted.request_stop();
   previous.sa_handler(signal);
 }
 
@@ -36,7 +40,7 @@ Interruptible::Interruptible() {
   if (!is_main_thread()) return;
   installed_ = true;
   if (depth++ > 0) return;
-  stop_wanted = false;
+  stop_wanted = std::stop_source();
   sigaction(SIGINT, nullptr, &previous);
   if (!has_handler(previous)) return;
   struct sigaction ours = previous;
@@ -49,11 +53,13 @@ Interruptible::~Interruptible() {
   if (has_handler(previous)) sigaction(SIGINT, &previous, nullptr);
 }
 
-const std::atomic<bool>* Interruptible::stop() const noexcept {
-  return installed_ ? &stop_wanted : nullptr;
+std::stop_token Interruptible::stop() const noexcept {
+  return installed_ ? stop_wanted.get_token() : std::stop_token();
 }
 
-bool Interruptible::was_interrupted() const noexcept { return installed_ && stop_wanted; }
+bool Interruptible::was_interrupted() const noexcept {
+  return installed_ && stop_wanted.stop_requested();
+}
 
 void raise_signals() {
   if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();

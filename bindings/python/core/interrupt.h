@@ -6,12 +6,12 @@
 // Python's own signal handler notes the signal, and Python reacts when the run is over. The handler
 // here calls Python's handler, and also ends the run.
 
-#include <atomic>
+#include <stop_token>
 
 namespace vandplan::python {
 
-/// While an object lives in Python's main thread, SIGINT also sets `stop()`. In other threads,
-/// which get no signals from Python, it does nothing.
+/// While an object lives in Python's main thread, SIGINT also asks `stop()` to stop. In other
+/// threads, which get no signals from Python, it does nothing.
 class Interruptible {
  public:
   Interruptible();
@@ -19,8 +19,9 @@ class Interruptible {
   Interruptible(const Interruptible&) = delete;
   Interruptible& operator=(const Interruptible&) = delete;
 
-  /// Flag that SIGINT sets; null in other threads.
-  [[nodiscard]] const std::atomic<bool>* stop() const noexcept;
+  /// Token that SIGINT asks to stop; one that nobody asks in other threads. Nobody may register a
+  /// callback with it.
+  [[nodiscard]] std::stop_token stop() const noexcept;
 
   /// Whether SIGINT came while this object lived.
   [[nodiscard]] bool was_interrupted() const noexcept;

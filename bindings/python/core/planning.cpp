@@ -36,7 +36,7 @@ void run_interruptibly(PlanOptions& options, bool returns, Work work) {
     const py::gil_scoped_release release;
     work();
   }
-  options.budget.stop = nullptr;
+  options.budget.stop = {};
   try {
     raise_signals();
   } catch (const py::error_already_set& error) {
@@ -134,7 +134,7 @@ RunResult smooth_path(const CheckedScenario& scenario, const py::object& given,
   Smoothed smoothed;
   const Problem& problem = scenario.problem();  // Needs Python's lock.
   run_interruptibly(options, false, [&] { smoothed = smooth(problem, path, chosen, options); });
-  smoothed.options.budget.stop = nullptr;
+  smoothed.options.budget.stop = {};
   run.record = {.scenario = scenario.scenario().name,
                 .planner = run.planner->name,
                 .options = std::move(smoothed.options),
