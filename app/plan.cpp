@@ -54,8 +54,8 @@ std::vector<ResultRecord> plan_goals(const ScenarioProblems& read, const Planner
 /// ", proven: at most 12.3 % above the optimum"; empty where nothing is proven.
 std::string proof_text(const PlanResult& result) {
   constexpr double weak = 0.25;  // gap above which the bound counts as weak
-  if (!(result.lower_bound > 0)) return "";
-  const double gap = result.cost / result.lower_bound - 1;
+  if (!result.lower_bound) return "";
+  const double gap = result.cost / *result.lower_bound - 1;
   return fmt::format(", proven: at most {:.1f} % above the optimum{}", 100 * gap,
                      gap > weak ? " (the bound is weak)" : "");
 }

@@ -65,7 +65,7 @@ void add(Runs& runs, const PlanResult& result) {
     runs.costs[i].push_back(cost_at(result, times[i]));
   }
   if (result.path) runs.best = std::min(runs.best, result.cost);
-  runs.bound = std::max(runs.bound, result.lower_bound);
+  runs.bound = std::max(runs.bound, result.lower_bound.value_or(0.0));
   runs.rates.iterations += static_cast<double>(result.iterations);
   runs.rates.solves += static_cast<double>(counter(result, "exact_solves"));
   runs.rates.checks += static_cast<double>(counter(result, "edge_checks"));

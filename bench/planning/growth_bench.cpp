@@ -99,7 +99,7 @@ void run_ours(Run& run, const std::string& site, const ScenarioProblems& read, b
   run.length = length(result.path->segments);
   run.soon = cost_at(result, 1.0);
   run.cost = result.cost;
-  run.gap = result.cost / result.lower_bound - 1;
+  run.gap = result.cost / result.lower_bound.value_or(0.0) - 1;
   const double written = now();
   write_results(site + ".json", read.file, {record});
   run.write = now() - written;

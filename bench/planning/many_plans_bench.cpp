@@ -75,7 +75,7 @@ Outcome plan_all(const std::vector<Problem>& problems, const PlanOptions& option
   plan_many(problems, default_planner(), options, threads, [&](std::size_t i, PlanResult result) {
     if (result.path) {
       outcome.costs[i] = result.cost;
-      outcome.gaps[i] = result.cost / result.lower_bound - 1;
+      outcome.gaps[i] = result.cost / result.lower_bound.value_or(0.0) - 1;
     }
     outcome.paths[i] = std::move(result.path);
   });

@@ -385,7 +385,7 @@ class Answer:
         self,
         path: Path | Sequence[Path] | None = None,
         *,
-        lower_bound: float = 0.0,
+        lower_bound: float | None = None,
         proven: bool = False,
         reason: str = "",
         counters: Mapping[str, int] = ...,

@@ -263,8 +263,8 @@ export interface Result {
   goal: ({index: number} & Pose) | null;
   /** Cost of the path [m], or [s] if the cost is the time; null without a path. */
   cost: number | null;
-  /** Proven lower bound on the cost of all paths; 0 if nothing is proven. */
-  lower_bound: number;
+  /** Proven lower bound on the cost of all paths; null if nothing is proven. */
+  lower_bound: number | null;
   iterations: number;
   /** Time in the planner [s]. */
   time: number;

@@ -75,8 +75,9 @@ struct PlannerAnswer {
   std::optional<std::vector<Segment>> segments = {};
   /// Speeds along the path. They are needed with a path if the task has moving obstacles.
   std::optional<SpeedProfile> speeds = {};
-  /// Proven lower bound of the cost of every path [m] or [s]; 0: nothing is proven.
-  double lower_bound = 0.0;
+  /// Proven lower bound of the cost of every path [m] or [s]. None: nothing is proven. A bound that
+  /// is not above 0 says nothing, since no cost is negative: `plan` drops it.
+  std::optional<double> lower_bound = {};
   std::int64_t iterations = 0;           ///< iterations that the run has spent
   std::vector<CostSample> anytime = {};  ///< moments at which the best path became cheaper
   std::vector<Counter> counters = {};    ///< counts of the planner, by names of its own

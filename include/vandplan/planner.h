@@ -75,8 +75,8 @@ struct PlanResult {
   std::optional<ReachedGoal> goal = {};
   double cost = 0.0;      ///< cost of the path [m], or [s] where the cost is the time
   CostOptions rule = {};  ///< prices that were minimised; all of them are set
-  /// Proven lower bound of the cost of every path [m] or [s]; 0: nothing is proven.
-  double lower_bound = 0.0;
+  /// Proven lower bound of the cost of every path [m] or [s]; above 0. None: nothing is proven.
+  std::optional<double> lower_bound = {};
   std::int64_t iterations = 0;            ///< iterations that the run has spent
   double time_total = 0.0;                ///< time of the run, without the judge [s]
   std::vector<CostSample> anytime = {};   ///< moments at which the best path became cheaper

@@ -57,9 +57,9 @@ void append_result(std::string& bytes, const PlanResult& result) {
   const std::vector<Segment> none;
   const std::vector<Segment>& segments = result.path ? result.path->segments : none;
   const SpeedProfile speeds = result.speeds.value_or(SpeedProfile{});
-  append_numbers(bytes,
-                 {result.path ? result.cost : 0.0, result.lower_bound, result.time_total,
-                  result.anytime.empty() ? 0.0 : result.anytime.front().time, speeds.duration});
+  append_numbers(
+      bytes, {result.path ? result.cost : 0.0, result.lower_bound.value_or(0.0), result.time_total,
+              result.anytime.empty() ? 0.0 : result.anytime.front().time, speeds.duration});
   append(bytes, static_cast<std::uint64_t>(result.iterations));
   append(bytes, static_cast<std::uint64_t>(counter(result, "nodes")));
   append_size(bytes, segments.size());
@@ -266,7 +266,8 @@ std::optional<ResultBytes> ResultBytesReader::next() {
   record.poses.goal = fields.pose("goal");
   record.hitch_angle = fields.number("hitch angle");
   result.cost = fields.number("cost");
-  result.lower_bound = fields.number("bound");
+  const double bound = fields.number("bound");
+  if (bound > 0.0) result.lower_bound = bound;
   result.time_total = fields.number("time");
   (void)fields.number("time of its first path");
   const double duration = fields.number("duration");

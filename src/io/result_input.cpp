@@ -80,7 +80,7 @@ class BinaryResults {
       return record;
     }
     claims.cost->cost = result.cost;
-    if (result.lower_bound > 0.0) claims.cost->lower_bound = result.lower_bound;
+    claims.cost->lower_bound = result.lower_bound;
     if (scenario_.scenario.vehicle.trailer) claims.start_hitch_angle = bytes->hitch_angle;
     return record;
   }

@@ -259,8 +259,8 @@ Json Results::json_of_record(const Vehicle& vehicle, double hitch_angle,
     json["length"] = length(result.path->segments);
     json["cost"] = result.cost;
     if (result.lower_bound > 0.0) {
-      json["bound"] = result.lower_bound;
-      json["gap"] = result.cost / result.lower_bound - 1.0;
+      json["bound"] = *result.lower_bound;
+      json["gap"] = result.cost / *result.lower_bound - 1.0;
     }
     json["gear_changes"] = gear_changes(result.path->segments);
     if (result.speeds) json["duration"] = result.speeds->duration;

@@ -180,13 +180,13 @@ class HybridAStarSearch {
     if (keeps_tree_) answer.tree = std::move(tree_);
     if (!answer.segments || !estimate_.is_admissible) return;
     const double least = is_shortest_ ? found_.cost : estimate_.length(task_.start);
-    answer.lower_bound = std::isfinite(least) ? least * (1 - rounding) : 0.0;
+    if (!std::isfinite(least)) return;
+    answer.lower_bound = least * (1 - rounding);
     const CostRule& rule = connector_.rule();
     if (rule.allows_both()) return;
     // The judge lets a path end slightly beside the goal, so it may be shorter by the leeway.
     const double leeway = anytime::open_ground(task_, rule).leeway;
-    answer.lower_bound =
-        std::max(std::min(answer.lower_bound, estimate_.length(task_.start)) - leeway, 0.0);
+    answer.lower_bound = std::min(*answer.lower_bound, estimate_.length(task_.start)) - leeway;
   }
 
  private:

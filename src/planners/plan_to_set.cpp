@@ -288,7 +288,7 @@ class SetRun {
     const PlannerAnswer answer = goal.search->answer();
     goal.is_closed = goal.is_done && answer.status == PlanStatus::no_path;
     if (goal.is_closed) goal.bound = endless;
-    if (task_.moving.empty()) goal.bound = std::max(goal.bound, answer.lower_bound);
+    if (task_.moving.empty()) goal.bound = std::max(goal.bound, answer.lower_bound.value_or(0.0));
   }
 
   void note(Candidate& goal) {
@@ -386,7 +386,8 @@ class SetRun {
     for (Candidate& goal : candidates_) {
       if (goal.search && is_single(goal) && goal.bound < best_->cost) take_proof(goal);
     }
-    answer.lower_bound = task_.moving.empty() ? std::min(lower_bound(), best_->cost) : 0.0;
+    answer.lower_bound.reset();
+    if (task_.moving.empty()) answer.lower_bound = std::min(lower_bound(), best_->cost);
     return answer;
   }
 

@@ -44,10 +44,11 @@ std::optional<PlannerAnswer> settled(const Task& task) {
 
 /// The claims about a path that the judge checks.
 PathClaims claims_of(const PlanResult& result, const PlanOptions& all) {
-  StatedCost cost{.cost = result.cost, .rule = all.cost};
-  if (result.lower_bound > 0.0) cost.lower_bound = result.lower_bound;
   return {
-      .cost = cost, .clearance = all.clearance, .steering = *all.steering, .gears = all.cost.gears};
+      .cost = StatedCost{.cost = result.cost, .rule = all.cost, .lower_bound = result.lower_bound},
+      .clearance = all.clearance,
+      .steering = *all.steering,
+      .gears = all.cost.gears};
 }
 
 /// Reason why the times of a path among moving obstacles are wrong; empty if they are right.
@@ -70,8 +71,8 @@ void judge(const Problem& problem, const PlanOptions& options, PlanResult& resul
     if (result.anytime.empty()) {  // the planner keeps no trace
       result.anytime.push_back({result.time_total, result.iterations, result.cost});
     }
-    if (result.lower_bound <= result.cost * (1 + rounding)) {
-      result.lower_bound = std::min(result.lower_bound, result.cost);
+    if (result.lower_bound && *result.lower_bound <= result.cost * (1 + rounding)) {
+      result.lower_bound = std::min(*result.lower_bound, result.cost);
     }
     return;
   }
@@ -81,7 +82,7 @@ void judge(const Problem& problem, const PlanOptions& options, PlanResult& resul
   result.speeds.reset();
   result.anytime.clear();
   result.cost = 0.0;
-  result.lower_bound = 0.0;
+  result.lower_bound.reset();
 }
 
 /// Computes the cost of the path to all digits, also for the end of the trace. Planners sum the
@@ -101,7 +102,6 @@ void settle_cost(const Task& task, const CostOptions& options, PlanResult& resul
 PlanResult result_of(const Problem& problem, PlannerAnswer&& answer, double time) {
   PlanResult result{.status = answer.status,
                     .reason = std::move(answer.reason),
-                    .lower_bound = answer.lower_bound,
                     .iterations = answer.iterations,
                     .time_total = time,
                     .anytime = std::move(answer.anytime),
@@ -111,11 +111,11 @@ PlanResult result_of(const Problem& problem, PlannerAnswer&& answer, double time
   if (result.tree) {
     for (Pose& pose : result.tree->poses) pose = to_scenario(*problem.world(), Local(pose));
   }
+  if (answer.lower_bound > 0.0) result.lower_bound = answer.lower_bound;
   const bool is_solved = answer.status == PlanStatus::solved;
-  if (std::isnan(answer.lower_bound)) {
+  if (answer.lower_bound && std::isnan(*answer.lower_bound)) {
     result.status = PlanStatus::rejected;
     result.reason = "the planner gives a lower bound that is no number";
-    result.lower_bound = 0.0;
   } else if (is_solved != answer.segments.has_value()) {
     result.status = PlanStatus::rejected;
     result.reason =

@@ -77,7 +77,7 @@ void print_plans(const std::string& name, std::int64_t iterations) {
   for (const Planner& planner : planners()) {
     const PlanResult result = plan(problem, planner, options);
     Hash hash;
-    for (const double v : {result.cost, result.lower_bound}) hash.add(v);
+    for (const double v : {result.cost, result.lower_bound.value_or(0.0)}) hash.add(v);
     for (const std::int64_t n :
          {result.iterations, counter(result, "nodes"), counter(result, "edge_checks")}) {
       hash.add(static_cast<double>(n));

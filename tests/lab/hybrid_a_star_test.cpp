@@ -46,7 +46,7 @@ TEST(HybridAStar, EndsAtOnceWhereNothingIsInTheWay) {
   const PlanResult result = plan(problem_of({0, 0, 0}, {30, 10, 2}, {}), hybrid(), by_length());
   ASSERT_EQ(result.status, PlanStatus::solved);
   EXPECT_EQ(result.iterations, 1);
-  EXPECT_NEAR(result.lower_bound, result.cost, 1e-6);
+  EXPECT_NEAR(result.lower_bound.value_or(0.0), result.cost, 1e-6);
 }
 
 TEST(HybridAStar, CostsNoMoreThanTheWeightTimesWhatAFinerSearchFinds) {

@@ -139,7 +139,7 @@ class Judgement {
     if (result.status == PlanStatus::rejected) fault(planner.name + " rejected: " + result.reason);
     const AllowedGears gears = options.cost.gears;
     if (options.clearance.margin == 0 && gears == AllowedGears::both) {
-      if (is_length(result.rule)) bound_ = std::max(bound_, result.lower_bound);
+      if (is_length(result.rule)) bound_ = std::max(bound_, result.lower_bound.value_or(0.0));
       proves_none_ |= result.status == PlanStatus::no_path && planner.properties.family != "smooth";
     }
     if (!result.path) return;
@@ -218,7 +218,7 @@ class Judgement {
           compose(base, {uniform(-shift, shift, rng_), uniform(-shift, shift, rng_),
                          uniform(-1, 1, rng_) * shift / reach});
       const Pose outside = to_scenario(*problem_->world(), pose);
-      const bool is_free = task.checker->is_free(pose);
+      const bool is_free = task.checker->tractor_is_free(pose);
       if (is_free && !naive_hit(scenario_, outside, -allowed_depth).empty()) {
         fault("the checker accepts a pose that hits " +
               naive_hit(scenario_, outside, -allowed_depth));

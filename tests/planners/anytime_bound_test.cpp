@@ -43,7 +43,7 @@ void expect_tight(const PlanResult& result, double gap) {
 TEST(AnytimeBound, IsTheShortestLengthOnOpenGround) {
   for (const Pose& goal : {Pose{20, 30, 2}, {0, 3, 0}, {-9, 1, 3}, {0.5, 0, 1}}) {
     const PlanResult result = run(problem_of({0, 0, 0}, goal, {}));
-    EXPECT_NEAR(result.lower_bound, reeds_shepp_length({}, goal, 7.0), 1e-9);
+    EXPECT_NEAR(result.lower_bound.value_or(0.0), reeds_shepp_length({}, goal, 7.0), 1e-9);
     expect_tight(result, 1e-9);
   }
 }
@@ -112,7 +112,7 @@ TEST(AnytimeBound, IsBelowEveryPathOfVehiclesWithAnyOverhang) {
 TEST(AnytimeBound, IsTheCostOfTheOnlyWayWithPrices) {
   const PlanResult ahead =
       run(problem_of({0, 0, 0}, {40, 0, 0}, {}), {.reverse_weight = 2, .gear_change_cost = 5});
-  EXPECT_NEAR(ahead.lower_bound, 40, 1e-4);  // heading aside, the line may be shorter
+  EXPECT_NEAR(ahead.lower_bound.value_or(0.0), 40, 1e-4);  // heading aside, the line may be shorter
   const PlanResult behind = run(problem_of({0, 0, 0}, {-10, 0, 0}, {}), {.reverse_weight = 1.5});
   expect_tight(behind, 0.4);
 }

@@ -41,7 +41,7 @@ TEST(Anytime, OnOpenGroundTheShortestPathIsProvenAtOnce) {
   const PlanResult result = run(problem, iterations(1000));
   const double shortest = reeds_shepp_length(problem.start(), problem.goal(), 7.0);
   EXPECT_NEAR(result.cost, shortest, 1e-9);
-  EXPECT_NEAR(result.lower_bound, shortest, 1e-9);
+  EXPECT_NEAR(result.lower_bound.value_or(0.0), shortest, 1e-9);
   EXPECT_EQ(result.iterations, 0);
 }
 
@@ -101,7 +101,7 @@ TEST(Anytime, EndsAsSoonAsItIsProvenToBeNearTheOptimum) {
   options.budget.target_gap = 0.2;
   const PlanResult near = run(problem, options);
   ASSERT_TRUE(near.path);
-  EXPECT_LE(near.cost, 1.2 * near.lower_bound);
+  EXPECT_LE(near.cost, 1.2 * near.lower_bound.value());
   EXPECT_LT(near.iterations, 3000);
   options.budget.threads = 3;
   const PlanResult shared = run(problem, options);
@@ -118,7 +118,7 @@ TEST(Anytime, ProvesAnEasyGapWithFewTrials) {
   options.budget.target_gap = 0.05;
   for (options.budget.seed = 1; options.budget.seed <= 10; ++options.budget.seed) {
     const PlanResult result = run(problem, options);
-    EXPECT_LE(result.cost, 1.05 * result.lower_bound);
+    EXPECT_LE(result.cost, 1.05 * result.lower_bound.value());
     EXPECT_LT(result.iterations, 130) << options.budget.seed;
   }
 }

@@ -127,7 +127,7 @@ TEST_P(EveryCombination, IsPlannedAndHasWhatWasAskedFor) {
   // Who stops early has proven the gap, and nobody proves too much.
   EXPECT_LE(result.lower_bound, result.cost);
   if (wish.gap > 0 && !wish.has_movers && result.iterations < *options.budget.max_iterations) {
-    EXPECT_LE(result.cost, (1 + wish.gap) * result.lower_bound + 1e-6);
+    EXPECT_LE(result.cost, (1 + wish.gap) * result.lower_bound.value() + 1e-6);
   }
   if (is_sanitized) return;
   EXPECT_LT(missing(result.path->segments, wish.min_stroke), 1e-6);

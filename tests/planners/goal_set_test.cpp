@@ -98,7 +98,7 @@ TEST(GoalSet, TakesTheDockThatIsCheapest) {
 
 TEST(GoalSet, ProvesNothingThatAnyOfItsGoalsDisproves) {
   const Scenario scenario = docks(6);
-  const double bound = plan(make_problem(scenario), with_iterations(40)).lower_bound;
+  const double bound = plan(make_problem(scenario), with_iterations(40)).lower_bound.value();
   for (const GoalRegion& dock : scenario.goal_set) {
     Scenario alone = scenario;
     alone.goal_set = {dock};
@@ -260,7 +260,7 @@ TEST(GoalSet, EndsAsSoonAsTheGapIsProven) {
   options.budget.target_gap = 0.05;
   const PlanResult result = plan(make_problem(scenario), options);
   EXPECT_LT(result.iterations, 50'000);
-  EXPECT_LE(result.cost, 1.05 * result.lower_bound + 1e-6);
+  EXPECT_LE(result.cost, 1.05 * result.lower_bound.value() + 1e-6);
 }
 
 TEST(GoalSet, TraceFallsToTheCostOfTheAnswer) {

@@ -247,7 +247,7 @@ Planner answering(PlannerAnswer answer) {
           .function = [answer](const Task&, const PlanOptions&) { return answer; }};
 }
 
-Planner driving(std::vector<Segment> segments, double lower_bound = 0.0) {
+Planner driving(std::vector<Segment> segments, std::optional<double> lower_bound = {}) {
   return answering(
       {.status = PlanStatus::solved, .segments = std::move(segments), .lower_bound = lower_bound});
 }
@@ -440,7 +440,7 @@ void expect_rejected(const PlanResult& result, const std::string& reason) {
   EXPECT_EQ(result.reason, reason);
   EXPECT_FALSE(result.path);
   EXPECT_EQ(result.cost, 0.0);
-  EXPECT_EQ(result.lower_bound, 0.0);
+  EXPECT_FALSE(result.lower_bound);
   EXPECT_TRUE(result.anytime.empty());
   ASSERT_TRUE(result.check);
   EXPECT_FALSE(result.check->valid);
@@ -499,6 +499,15 @@ TEST(RejectedPath, ABoundAboveTheCostByRoundingIsNone) {
   EXPECT_EQ(result.status, PlanStatus::solved) << result.reason;
   EXPECT_EQ(result.lower_bound, 20.0);
   EXPECT_EQ(plan(straight_ahead(), driving({{0, 20}}, 19)).lower_bound, 19.0);
+}
+
+TEST(Plan, ABoundThatIsNotAboveZeroIsNone) {
+  for (const double bound : {0.0, -1.0}) {
+    const PlanResult result = plan(straight_ahead(), driving({{0, 20}}, bound));
+    EXPECT_EQ(result.status, PlanStatus::solved) << result.reason;
+    EXPECT_FALSE(result.lower_bound) << bound;
+  }
+  EXPECT_FALSE(plan(straight_ahead(), driving({{0, 20}})).lower_bound);
 }
 
 TEST(RejectedPath, IsNotThere) {

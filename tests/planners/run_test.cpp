@@ -303,7 +303,7 @@ TEST_F(Scheduling, AGapIsProvenNoFurtherThanItTakes) {
   anytime::Run& run = rounds(5, options);
   EXPECT_EQ(prover.proofs, 3);
   EXPECT_EQ(run.iterations(), 3);
-  EXPECT_NEAR(run.answer().lower_bound, 27.0, 1e-9);
+  EXPECT_NEAR(run.answer().lower_bound.value_or(0.0), 27.0, 1e-9);
 }
 
 TEST_F(Scheduling, WhatIsEnoughFollowsFromTheProof) {
@@ -322,7 +322,7 @@ TEST_F(Scheduling, ProofsAreNoIterations) {
   anytime::Run& run = rounds(3);
   EXPECT_EQ(prover.proofs, 6);
   EXPECT_EQ(run.iterations(), 0);
-  EXPECT_NEAR(run.answer().lower_bound, 30.0, 1e-9);
+  EXPECT_NEAR(run.answer().lower_bound.value_or(0.0), 30.0, 1e-9);
 }
 
 TEST_F(Scheduling, AnOptimalRouteEndsTheRun) {

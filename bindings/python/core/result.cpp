@@ -33,8 +33,8 @@ std::optional<double> result_cost(const RunResult& self) {
 
 std::optional<double> result_gap(const RunResult& self) {
   const PlanResult& result = plan_of(self);
-  if (!result.path || !(result.lower_bound > 0.0)) return std::nullopt;
-  return result.cost / result.lower_bound - 1.0;
+  if (!result.path || !result.lower_bound) return std::nullopt;
+  return result.cost / *result.lower_bound - 1.0;
 }
 
 py::array_t<double> result_trace(const RunResult& self) {
@@ -133,7 +133,7 @@ void bind_result_class(py::module_& module) {
       "goal", [](const PlanResult& r) { return r.goal; },
       "Goal of a set that the path ends at, a `ReachedGoal`; None without a set of goals.");
   property(
-      "bound", [](const PlanResult& r) { return r.lower_bound; },
+      "bound", [](const PlanResult& r) { return r.lower_bound.value_or(0.0); },
       "Proven lower bound on the cost of all paths, in the unit of `cost`; 0 if nothing is "
       "proven.");
   property(
@@ -193,13 +193,13 @@ py::object result_options(const RunResult& result) {
 PathClaims claims_of(const RunResult& result) {
   if (!result.planner) return result.record.claims;
   const PlanOptions& options = result.record.options;
-  StatedCost cost{.cost = result.record.result.cost, .rule = options.cost};
-  if (result.record.result.lower_bound > 0.0) cost.lower_bound = result.record.result.lower_bound;
-  return {.cost = cost,
-          .clearance = options.clearance,
-          .steering = options.steering.value_or(Steering::reeds_shepp),
-          .gears = options.cost.gears,
-          .goal = result.record.result.goal};
+  const PlanResult& plan = result.record.result;
+  return {
+      .cost = StatedCost{.cost = plan.cost, .rule = options.cost, .lower_bound = plan.lower_bound},
+      .clearance = options.clearance,
+      .steering = options.steering.value_or(Steering::reeds_shepp),
+      .gears = options.cost.gears,
+      .goal = plan.goal};
 }
 
 Drawing drawing_of(const CheckedScenario& scenario, const RunResult* result) {

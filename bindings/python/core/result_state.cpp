@@ -132,7 +132,7 @@ PlanResult plan_from(const py::handle& given) {
   PlanResult plan{.reason = state[1].cast<std::string>(),
                   .path = state[2].cast<std::optional<Path>>(),
                   .cost = state[3].cast<double>(),
-                  .lower_bound = state[4].cast<double>(),
+                  .lower_bound = state[4].cast<std::optional<double>>(),
                   .iterations = state[5].cast<std::int64_t>(),
                   .time_total = state[6].cast<double>()};
   const auto status = state[0].cast<std::string>();

@@ -26,7 +26,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Answer of a planner in Python that has more than a path.
 struct Answer {
   py::object path = py::none();
-  double lower_bound = 0.0;
+  std::optional<double> lower_bound = {};
   bool proven = false;
   std::string reason = {};
   std::map<std::string, std::int64_t> counters = {};
@@ -230,23 +230,24 @@ PlannerAnswer answer_from(const py::handle& returned, PlanningTask& task) {
 }
 
 void bind_task(py::module_& module) {
-  py::class_<Answer>(module, "Answer", R"(Answer(path=None, *, lower_bound=0, proven=False,
+  py::class_<Answer>(module, "Answer", R"(Answer(path=None, *, lower_bound=None, proven=False,
     reason="", counters={}, tree=None)
 
 Return value of a planner that has more than a path.
 
 - `path`: a path, or a list of consecutive paths.
-- `lower_bound`: proven lower bound on the cost of all paths [m].
+- `lower_bound`: proven lower bound on the cost of all paths [m]; None: nothing is proven.
 - `proven`: without a path, whether it is proven that there is none.
 - `reason`: why there is no path, one line.
 - `counters`: counters by name.
 - `tree`: search tree (poses, parents); parents come before their children, -1 for the root.)")
-      .def(py::init([](py::object path, double lower_bound, bool proven, std::string reason,
-                       std::map<std::string, std::int64_t> counters, py::object tree) {
+      .def(py::init([](py::object path, std::optional<double> lower_bound, bool proven,
+                       std::string reason, std::map<std::string, std::int64_t> counters,
+                       py::object tree) {
              return Answer{std::move(path),   lower_bound,         proven,
                            std::move(reason), std::move(counters), std::move(tree)};
            }),
-           "path"_a = py::none(), py::kw_only(), "lower_bound"_a = 0.0, "proven"_a = false,
+           "path"_a = py::none(), py::kw_only(), "lower_bound"_a = py::none(), "proven"_a = false,
            "reason"_a = "", "counters"_a = py::dict(), "tree"_a = py::none())
       .def(py::pickle(
           [](const Answer& self) {
@@ -255,7 +256,7 @@ Return value of a planner that has more than a path.
           },
           [](const py::tuple& state) {
             return Answer{state[0],
-                          state[1].cast<double>(),
+                          state[1].cast<std::optional<double>>(),
                           state[2].cast<bool>(),
                           state[3].cast<std::string>(),
                           state[4].cast<std::map<std::string, std::int64_t>>(),

@@ -65,7 +65,7 @@ val object_of(const PlanResult& result) {
   object.set("path", result.path ? object_of(*result.path) : val::null());
   object.set("goal", object_of(result.goal));
   object.set("cost", result.path ? val(result.cost) : val::null());
-  object.set("lower_bound", result.lower_bound);
+  object.set("lower_bound", result.lower_bound ? val(*result.lower_bound) : val::null());
   object.set("iterations", static_cast<double>(result.iterations));
   object.set("time", result.time_total);
   val trace = val::array();
