@@ -4,7 +4,6 @@
 // A yard of 200 m with ten obstacles, as polygons and as 4000 x 4000 cells.
 
 #include <algorithm>
-#include <memory>
 #include <vector>
 
 #include "support/collision_oracle.h"
@@ -47,10 +46,7 @@ inline OccupancyGrid drawn(const std::vector<Polygon>& obstacles) {
       }
     }
   }
-  return {.resolution = resolution,
-          .columns = cells,
-          .rows = cells,
-          .cells = std::make_shared<const std::vector<Cell>>(std::move(ground))};
+  return {.resolution = resolution, .columns = cells, .rows = cells, .cells = std::move(ground)};
 }
 
 }  // namespace vandplan

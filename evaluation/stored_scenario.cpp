@@ -6,7 +6,6 @@
 
 #include <cstring>
 #include <map>
-#include <memory>
 #include <span>
 #include <string_view>
 
@@ -45,7 +44,7 @@ std::map<std::string, OccupancyGrid> stored_maps(Database& database) {
                           .resolution = rows.real(3),
                           .columns = static_cast<std::int32_t>(rows.integer(1)),
                           .rows = static_cast<std::int32_t>(rows.integer(2)),
-                          .cells = std::make_shared<const std::vector<Cell>>(std::move(cells))};
+                          .cells = std::move(cells)};
   }
   return maps;
 }

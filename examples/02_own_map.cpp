@@ -6,7 +6,6 @@
 #include <vandplan/planner.h>
 
 #include <cstdio>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -22,7 +21,7 @@ vandplan::OccupancyGrid yard_with_a_gate() {
       cells[row * 300 + column] = vandplan::Cell::occupied;  // x from 29.6 m to 30.4 m
     }
   }
-  map.cells = std::make_shared<const std::vector<vandplan::Cell>>(std::move(cells));
+  map.cells = std::move(cells);
   return map;
 }
 

@@ -13,7 +13,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -85,7 +84,7 @@ void add_map(Scenario& scenario, std::int32_t side, std::uint64_t seed) {
       }
     }
   }
-  map.cells = std::make_shared<const std::vector<Cell>>(std::move(cells));
+  map.cells = std::move(cells);
   scenario.map = map;
 }
 

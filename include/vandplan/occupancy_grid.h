@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "vandplan/geometry.h"
@@ -17,6 +19,22 @@ namespace vandplan {
 
 /// What a map says about a cell.
 enum class Cell : std::uint8_t { free, occupied, unknown };
+
+/// Cells that copies share and nobody changes. Reads as a pointer to a vector; null without cells.
+class SharedCells : public std::shared_ptr<const std::vector<Cell>> {
+ public:
+  using shared_ptr::shared_ptr;
+  SharedCells() noexcept = default;
+  /// Cells that others may share already.
+  SharedCells(std::shared_ptr<const std::vector<Cell>> cells) noexcept
+      : shared_ptr(std::move(cells)) {}
+  /// Cells of a vector, which is moved or copied.
+  SharedCells(std::vector<Cell> cells)
+      : shared_ptr(std::make_shared<const std::vector<Cell>>(std::move(cells))) {}
+  /// Copy of cells that lie anywhere.
+  SharedCells(std::span<const Cell> cells)
+      : SharedCells(std::vector<Cell>(cells.begin(), cells.end())) {}
+};
 
 /// A rectangle of square cells. Copies share the cells, which nobody changes. The values are
 /// checked by `check_map`, `World` and `make_problem` (problem.h). They throw InputError naming
@@ -29,8 +47,8 @@ struct OccupancyGrid {
   std::int32_t columns = 0;  ///< number of columns; >= 1
   std::int32_t rows = 0;     ///< number of rows; >= 1
   /// All cells, row by row: columns * rows of them. Cell (column, row) has the index
-  /// row * columns + column.
-  std::shared_ptr<const std::vector<Cell>> cells = {};
+  /// row * columns + column. Assign a vector, a span to copy, or a shared pointer.
+  SharedCells cells = {};
   /// Whether unknown cells and all ground outside the grid are free. By default they are obstacles.
   bool unknown_is_free = false;
 };

@@ -206,7 +206,7 @@ OccupancyGrid io::map_from(const std::string& name, std::vector<std::string>& wa
   }
   grid.columns = cells.columns;
   grid.rows = cells.rows;
-  grid.cells = std::make_shared<const std::vector<Cell>>(std::move(cells.cells));
+  grid.cells = std::move(cells.cells);
   try {
     check_map(grid);
   } catch (const InputError& error) {  // Error keys begin with "map.".

@@ -122,7 +122,7 @@ OccupancyGrid read_movingai_map(const std::string& file, double resolution) {
     }
   }
   turn_over(cells, grid.columns);
-  grid.cells = std::make_shared<const std::vector<Cell>>(std::move(cells));
+  grid.cells = std::move(cells);
   return grid;
 }
 

@@ -50,8 +50,7 @@ Scenario unseen(const Scenario& scenario) {
   blank.obstacles.clear();
   blank.moving.clear();
   if (blank.map) {
-    blank.map->cells =
-        std::make_shared<const std::vector<Cell>>(blank.map->cells->size(), Cell::unknown);
+    blank.map->cells = std::vector<Cell>(blank.map->cells->size(), Cell::unknown);
   }
   return blank;
 }

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -136,7 +135,7 @@ TEST(MapLaw, TheClearanceIsTheDistanceOfTheOracleInACrowd) {
       if (gap < room) cell = Cell::free;
       if (cell == Cell::occupied) gaps.push_back(gap);
     }
-    grid.cells = std::make_shared<const std::vector<Cell>>(std::move(cells));
+    grid.cells = std::move(cells);
     const CollisionChecker checker(vehicle, Surroundings{.bounds = wide, .map = grid});
     const double gap = gap_at(body, squares_of(grid), pose).distance;
     EXPECT_NEAR(checker.clearance(Local(pose), 100), gap, 1e-9) << as_code(pose);
@@ -155,7 +154,7 @@ OccupancyGrid in_free_ground(const OccupancyGrid& grid, std::int32_t columns, st
   OccupancyGrid result = grid;
   result.columns = columns;
   result.rows = rows;
-  result.cells = std::make_shared<const std::vector<Cell>>(std::move(cells));
+  result.cells = std::move(cells);
   return result;
 }
 

@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <memory>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace vandplan::geometry {
@@ -17,8 +20,7 @@ TEST_P(BlockedCellsTest, UnknownGroundIsAsTheGridSaysInAndAroundIt) {
   OccupancyGrid grid;
   grid.columns = 3;
   grid.rows = 1;
-  grid.cells = std::make_shared<const std::vector<Cell>>(
-      std::vector<Cell>{Cell::free, Cell::unknown, Cell::occupied});
+  grid.cells = std::vector<Cell>{Cell::free, Cell::unknown, Cell::occupied};
   grid.unknown_is_free = GetParam();
   const BlockedCells blocked(grid);
   ASSERT_EQ(blocked.columns(), 5);
@@ -35,6 +37,28 @@ TEST_P(BlockedCellsTest, UnknownGroundIsAsTheGridSaysInAndAroundIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(UnknownIsFree, BlockedCellsTest, testing::Bool());
+
+TEST(SharedCells, TakesAVectorASpanOrASharedPointer) {
+  std::vector<Cell> cells(6, Cell::occupied);
+  const Cell* const data = cells.data();
+  OccupancyGrid grid{.columns = 3, .rows = 2, .cells = cells};
+  EXPECT_NE(grid.cells->data(), data);
+  grid.cells = std::move(cells);
+  EXPECT_EQ(grid.cells->data(), data);
+  const OccupancyGrid copy = grid;
+  EXPECT_EQ(copy.cells->data(), data);
+
+  const std::array elsewhere{Cell::free, Cell::unknown};
+  grid.cells = std::span<const Cell>(elsewhere);
+  EXPECT_EQ(*grid.cells, (std::vector{Cell::free, Cell::unknown}));
+
+  const auto shared = std::make_shared<std::vector<Cell>>(4, Cell::free);
+  grid.cells = shared;
+  EXPECT_EQ(grid.cells.get(), shared.get());
+  grid.cells = nullptr;
+  EXPECT_FALSE(grid.cells);
+  EXPECT_FALSE(OccupancyGrid{}.cells);
+}
 
 }  // namespace
 }  // namespace vandplan::geometry

@@ -142,7 +142,7 @@ void write_any(OccupancyGrid& grid, const CellRange& range, Rng& rng) {
       cells[static_cast<std::size_t>(row * grid.columns + column)] = is_mixed ? any_cell() : one;
     }
   }
-  grid.cells = std::make_shared<const std::vector<Cell>>(std::move(cells));
+  grid.cells = std::move(cells);
 }
 
 void expect_same(const geometry::BlockedCells& cells, const geometry::BlockedCells& expected) {

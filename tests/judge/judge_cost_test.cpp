@@ -163,13 +163,12 @@ std::size_t measured_beside_a_wall(std::int32_t cells, double half, double most)
   std::vector<Cell> ground(count * count);
   constexpr std::ptrdiff_t row = 60;
   std::fill_n(ground.begin() + row * cells, count, Cell::occupied);
-  const Surroundings surroundings{
-      .map = OccupancyGrid{.origin = {-20, -5, 0},
-                           .resolution = 0.05,
-                           .columns = cells,
-                           .rows = cells,
-                           .cells = std::make_shared<const std::vector<Cell>>(std::move(ground)),
-                           .unknown_is_free = true}};
+  const Surroundings surroundings{.map = OccupancyGrid{.origin = {-20, -5, 0},
+                                                       .resolution = 0.05,
+                                                       .columns = cells,
+                                                       .rows = cells,
+                                                       .cells = std::move(ground),
+                                                       .unknown_is_free = true}};
   const judge::Outlines truck = judge::outlines_of(Vehicle{});
   const judge::View view = judge::view_of({{0, -8, 0.3}, -0.1, half});
   judge::Effort effort;

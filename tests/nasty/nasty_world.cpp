@@ -264,7 +264,7 @@ OccupancyGrid nasty_map(Site& site) {
     }
     if (chance(0.02, rng)) cells[i] = Cell::unknown;
   }
-  grid.cells = std::make_shared<const std::vector<Cell>>(std::move(cells));
+  grid.cells = std::move(cells);
   return grid;
 }
 

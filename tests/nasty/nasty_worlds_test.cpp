@@ -147,7 +147,7 @@ TEST(NaiveJudge, SeesCellsAndTheEndOfTheMap) {
                          .resolution = 2,
                          .columns = 20,
                          .rows = 20,
-                         .cells = std::make_shared<const std::vector<Cell>>(cells),
+                         .cells = cells,
                          .unknown_is_free = true};
   };
   scenario.map = map_of();

@@ -189,7 +189,7 @@ TEST(Refusal, NamesWhatIsInTheWayByItsNumber) {
   scenario.map = OccupancyGrid{.origin = {-50, -50, 0}, .columns = 100, .rows = 100};
   std::vector<Cell> cells(10000, Cell::free);
   cells[100 * 50 + 81] = Cell::occupied;
-  scenario.map->cells = std::make_shared<std::vector<Cell>>(cells);
+  scenario.map->cells = cells;
   EXPECT_EQ(hit_with(scenario), (Hit{HitKind::map, 0, Point{31.5, 0.5}}));
   EXPECT_EQ(hit_with(open), std::nullopt);
 }

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <span>
 #include <type_traits>
@@ -211,7 +210,7 @@ TEST(Frames, AMapFarAwayHasItsObstaclesWhereTheyAre) {
                                .resolution = 0.5,
                                .columns = 100,
                                .rows = 100,
-                               .cells = std::make_shared<const std::vector<Cell>>(cells)};
+                               .cells = cells};
   const Problem problem = make_problem(scenario);
   const LocalPose at = to_local(*problem.world(), {4'000'020.25, -69'999.75, 0.0});
   const Local<Point> there(Point{at.x, at.y});

@@ -152,7 +152,7 @@ TEST(MakeProblem, NamesWhatIsFurtherThanAMillionMetresFromTheStart) {
             "each axis");
   scenario.obstacles.pop_back();
   scenario.map = OccupancyGrid{.origin = {6e5, 0, 0}, .resolution = 3e5, .columns = 2, .rows = 1};
-  scenario.map->cells = std::make_shared<const std::vector<Cell>>(2);
+  scenario.map->cells = std::vector<Cell>(2);
   EXPECT_EQ(fault_of(scenario),
             "map: has a corner 1200000 m from the start, expected at most 1e+06 m along each axis");
 }

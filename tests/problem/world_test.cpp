@@ -57,10 +57,8 @@ std::shared_ptr<const World> mapped_world() {
   }
   return world_of(
       {.bounds = {0, 100, 0, 100},
-       .map = OccupancyGrid{.resolution = 0.1,
-                            .columns = side,
-                            .rows = side,
-                            .cells = std::make_shared<const std::vector<Cell>>(std::move(cells))}});
+       .map = OccupancyGrid{
+           .resolution = 0.1, .columns = side, .rows = side, .cells = std::move(cells)}});
 }
 
 /// A map of 40 x 20 cells of 0.5 m at [0, 20] x [0, 10]: occupied at [10, 10.5] x [5, 5.5], unknown
@@ -71,12 +69,9 @@ Surroundings small_map() {
   for (std::size_t row = 0; row < 20; ++row) {
     std::fill_n(cells.begin() + static_cast<std::ptrdiff_t>(row * 40 + 32), 8, Cell::unknown);
   }
-  return {
-      .bounds = {-50, 50, -50, 50},
-      .map = OccupancyGrid{.resolution = 0.5,
-                           .columns = 40,
-                           .rows = 20,
-                           .cells = std::make_shared<const std::vector<Cell>>(std::move(cells))}};
+  return {.bounds = {-50, 50, -50, 50},
+          .map = OccupancyGrid{
+              .resolution = 0.5, .columns = 40, .rows = 20, .cells = std::move(cells)}};
 }
 
 TEST(World, AReasonSaysWhichCellIsHitAndWhere) {

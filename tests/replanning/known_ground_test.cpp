@@ -53,7 +53,7 @@ void write(Scenario& scenario, const CellPatch& patch) {
           patch.cells[static_cast<std::size_t>(y * patch.columns + x)];
     }
   }
-  map.cells = std::make_shared<const std::vector<Cell>>(std::move(cells));
+  map.cells = std::move(cells);
 }
 
 void expect_same_ground(const World& world, const World& anew, const Vehicle& vehicle, Rng& rng) {

@@ -140,7 +140,7 @@ TEST(Sensor, RevealsCellsUpToTheFirstThatIsBlocked) {
   scenario.map = OccupancyGrid{.origin = {0, -10, 0}, .resolution = 1, .columns = 20, .rows = 20};
   std::vector<Cell> cells(400, Cell::free);
   for (std::size_t row = 0; row < 20; ++row) cells[row * 20 + 10] = Cell::occupied;
-  scenario.map->cells = std::make_shared<const std::vector<Cell>>(cells);
+  scenario.map->cells = cells;
   replanning::Sensor sensor(scenario, 30);
   const WorldPatch patch = sensor.look({2, 0, 0});
   ASSERT_EQ(patch.cells.size(), 1u);

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <memory>
 #include <vector>
 
 #include "support/numbers.h"
@@ -136,7 +135,7 @@ TEST(Nonsense, MoversWithoutATrajectoryAreNowhere) {
 TEST(Nonsense, CellsThatAreNotThereAreUnknown) {
   OccupancyGrid map{.columns = 1000, .rows = 1000};
   EXPECT_TRUE(is_blocked(map, 999, 999));
-  map.cells = std::make_shared<std::vector<Cell>>(1, Cell::free);
+  map.cells = std::vector<Cell>(1, Cell::free);
   EXPECT_FALSE(is_blocked(map, 0, 0));
   EXPECT_TRUE(is_blocked(map, 999, 999));
   map.unknown_is_free = true;

@@ -333,7 +333,7 @@ TEST(Replanner, TakesPatchesOfCells) {
   Scenario scenario = lane();
   scenario.obstacles.clear();
   OccupancyGrid map{.origin = {-20, -30, 0}, .resolution = 0.5, .columns = 200, .rows = 120};
-  map.cells = std::make_shared<const std::vector<Cell>>(200 * 120, Cell::free);
+  map.cells = std::vector<Cell>(200 * 120, Cell::free);
   scenario.map = map;
   Replanner replanner(scenario);
   for (double t = 0; t < 6; t += tick_period) (void)replanner.tick(t);
@@ -345,7 +345,7 @@ TEST(Replanner, TakesPatchesOfCells) {
     for (std::size_t column = 100; column < 104; ++column)
       cells[row * 200 + column] = Cell::occupied;
   }
-  scenario.map->cells = std::make_shared<const std::vector<Cell>>(cells);
+  scenario.map->cells = cells;
   EXPECT_EQ(answer.outcome, TickOutcome::new_way);
   EXPECT_EQ(fault_of(answer, scenario, 6), "");
   EXPECT_THROW(replanner.patch({.cells = {{198, 0, 3, 1, {}}}}), InputError);

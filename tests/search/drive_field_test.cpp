@@ -95,7 +95,7 @@ TEST(ClearanceRaster, IsAboutTheClearanceFromTheCellsOfAMap) {
                           .resolution = 0.5,
                           .columns = columns,
                           .rows = rows,
-                          .cells = std::make_shared<const std::vector<Cell>>(std::move(cells))};
+                          .cells = std::move(cells)};
   const Problem problem = problem_in({.bounds = area, .map = map}, {-20, 10, 0}, {20, 10, 0});
   ClearanceRaster room = finished(ClearanceRaster(problem.task(), area, 3.0));
   for_each_case(2, 200, [&](Rng& rng) {

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numbers>
 
 #include "../support/cases.h"
@@ -155,7 +154,7 @@ OccupancyGrid walled_map(std::int32_t gap, bool outside_is_free) {
           .resolution = 0.2,
           .columns = columns,
           .rows = rows,
-          .cells = std::make_shared<const std::vector<Cell>>(std::move(cells)),
+          .cells = std::move(cells),
           .unknown_is_free = outside_is_free};
 }
 

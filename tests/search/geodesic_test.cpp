@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <utility>
 
@@ -226,7 +225,7 @@ TEST(Geodesic, IsBetweenTheWaysOfTwoDiscsOnAMap) {
                             .resolution = resolution,
                             .columns = 100,
                             .rows = 120,
-                            .cells = std::make_shared<const std::vector<Cell>>(std::move(cells)),
+                            .cells = std::move(cells),
                             .unknown_is_free = true};
     const Problem problem = problem_in({.bounds = {-60, 60, -60, 60}, .map = map},
                                        turned({0, 0, 0}), turned({31, 0, 0}));

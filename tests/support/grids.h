@@ -3,7 +3,6 @@
 #pragma once
 // How does a test make a map without a file?
 
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,7 +25,7 @@ inline OccupancyGrid grid_of(const std::vector<std::string>& rows, double resolu
           .resolution = resolution,
           .columns = static_cast<std::int32_t>(rows.front().size()),
           .rows = static_cast<std::int32_t>(rows.size()),
-          .cells = std::make_shared<const std::vector<Cell>>(std::move(cells))};
+          .cells = std::move(cells)};
 }
 
 /// Every cell occupied with that probability.
@@ -34,9 +33,7 @@ inline OccupancyGrid random_grid(std::int32_t columns, std::int32_t rows, double
                                  Rng& rng) {
   std::vector<Cell> cells(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
   for (Cell& cell : cells) cell = uniform01(rng) < density ? Cell::occupied : Cell::free;
-  return {.columns = columns,
-          .rows = rows,
-          .cells = std::make_shared<const std::vector<Cell>>(std::move(cells))};
+  return {.columns = columns, .rows = rows, .cells = std::move(cells)};
 }
 
 /// The closed square of a cell.

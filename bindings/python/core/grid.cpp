@@ -20,15 +20,13 @@ using namespace py::literals;
 using FileName = std::filesystem::path;  // Accepts str and os.PathLike.
 
 template <typename Number>
-std::shared_ptr<const std::vector<Cell>> cells_from(const py::array& array) {
+std::vector<Cell> cells_from(const py::array& array) {
   const auto values = py::array_t<Number, py::array::c_style | py::array::forcecast>(array);
-  auto cells = std::make_shared<std::vector<Cell>>(static_cast<std::size_t>(values.size()));
+  std::vector<Cell> cells(static_cast<std::size_t>(values.size()));
   const Number* const given = values.data();
-  for (std::size_t i = 0; i < cells->size(); ++i) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
     const Number value = given[i];
-    (*cells)[i] = value == Number{0}  ? Cell::free
-                  : value > Number{0} ? Cell::occupied
-                                      : Cell::unknown;
+    cells[i] = value == Number{0} ? Cell::free : value > Number{0} ? Cell::occupied : Cell::unknown;
   }
   return cells;
 }

@@ -67,8 +67,8 @@ OccupancyGrid map_from(const val& given) {
   if (static_cast<std::int64_t>(numbers.size()) != size) {
     throw InputError("map.cells", "expected columns * rows of them");
   }
-  auto cells = std::make_shared<std::vector<Cell>>(numbers.size());
-  std::ranges::transform(numbers, cells->begin(), [](std::uint8_t number) {
+  std::vector<Cell> cells(numbers.size());
+  std::ranges::transform(numbers, cells.begin(), [](std::uint8_t number) {
     return number == 0 ? Cell::free : number == 1 ? Cell::occupied : Cell::unknown;
   });
   map.cells = std::move(cells);
