@@ -78,7 +78,7 @@ nlohmann::ordered_json verdict_json(const ResultRecord& record, const Verdict& v
     if (verdict->drive->t) json["t"] = *verdict->drive->t;
   }
   if (verdict->at) {
-    const auto& [s, pose, curvature, direction] = *verdict->at;
+    const auto& [s, pose, curvature, gear] = *verdict->at;
     json["at"] = {{"s", s}, {"x", pose.x}, {"y", pose.y}, {"heading", pose.heading}};
   }
   return json;
@@ -89,7 +89,7 @@ std::string verdict_text(const ResultRecord& record, const Verdict& verdict) {
   const std::optional<DriveCheck>& drive = verdict->drive;
   if (verdict->valid) return "valid: " + path_text(*verdict) + drive_text(drive);
   if (!verdict->at) return fmt::format("invalid: {}", verdict->reason);
-  const auto& [s, pose, curvature, direction] = *verdict->at;
+  const auto& [s, pose, curvature, gear] = *verdict->at;
   const std::string when = drive && drive->t ? fmt::format(" at t = {:.3f} s,", *drive->t) : "";
   return fmt::format("invalid: {}{} at s = {:.4f} m, where x = {} m, y = {} m, heading = {} rad",
                      verdict->reason, when, s, pose.x, pose.y, pose.heading);

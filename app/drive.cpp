@@ -402,8 +402,8 @@ std::string csv_of(const std::vector<DriveMoment>& log) {
   text += !log.empty() && log.front().hitch_angle ? ",hitch_angle\n" : "\n";
   for (const DriveMoment& m : log) {
     text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}", m.t, m.s, m.pose.x, m.pose.y,
-                        m.pose.heading, m.direction, m.v, m.steering_angle, m.wanted_steering,
-                        m.wanted_acceleration, m.lateral_error, m.heading_error);
+                        m.pose.heading, direction_of(m.gear), m.v, m.steering_angle,
+                        m.wanted_steering, m.wanted_acceleration, m.lateral_error, m.heading_error);
     if (m.hitch_angle) text += fmt::format(",{}", *m.hitch_angle);
     text += '\n';
   }

@@ -29,7 +29,7 @@ std::string real(double value) {
 
 std::string row(const Motion& m) {
   return fmt::format("{},{},{},{},{},{},{},{},{},{}\n", m.t, m.s, m.pose.x, m.pose.y,
-                     m.pose.heading, m.curvature, m.steering_angle, m.direction, m.v, m.a);
+                     m.pose.heading, m.curvature, m.steering_angle, direction_of(m.gear), m.v, m.a);
 }
 
 /// A std_msgs/Header.

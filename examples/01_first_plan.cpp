@@ -18,7 +18,7 @@ int main() {
 
   std::printf("%.2f m, gear changes: %d\n", vandplan::length(result.path->segments),
               vandplan::gear_changes(result.path->segments));
-  for (const auto& [s, pose, curvature, direction] : vandplan::sampled(*result.path, 5.0)) {
+  for (const auto& [s, pose, curvature, gear] : vandplan::sampled(*result.path, 5.0)) {
     std::printf("x %7.3f  y %7.3f  heading %6.3f\n", pose.x, pose.y, pose.heading);
   }
 }

@@ -52,7 +52,7 @@ int main() {
   std::printf("the trailer ends %.1f mm beside its berth, at %.1f degrees\n", 1e3 * off,
               degrees * end.heading);
   const double largest_angle = std::max(-*least, *largest);
-  return off < 1e-5 && points.back().direction == -1 && largest_angle > 0 &&
+  return off < 1e-5 && points.back().gear == vandplan::Gear::reverse && largest_angle > 0 &&
                  largest_angle <= dock.vehicle.max_hitch_angle
              ? 0
              : 1;

@@ -65,7 +65,7 @@ struct DriveMoment {
   /// Distance along the planned path to the place beside the vehicle [m].
   double s = 0.0;
   Pose pose = {};                ///< pose in the frame of the path
-  int direction = 1;             ///< 1 forward, -1 reverse
+  Gear gear = Gear::forward;     ///< gear that is engaged
   double v = 0.0;                ///< speed [m/s]; negative in reverse
   double steering_angle = 0.0;   ///< front-wheel angle of a bicycle [rad]; positive to the left
   double wanted_steering = 0.0;  ///< steering angle that the controller asks for now [rad]

@@ -8,11 +8,24 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "vandplan/geometry.h"
 
 namespace vandplan {
+
+/// Gear of a vehicle: the way in which it drives.
+enum class Gear : std::int8_t { forward = 1, reverse = -1 };
+
+/// Name of the gear: "forward" or "reverse".
+[[nodiscard]] std::string_view name_of(Gear gear) noexcept;
+/// Direction of travel: 1 forward, -1 reverse.
+[[nodiscard]] constexpr int direction_of(Gear gear) noexcept { return static_cast<int>(gear); }
+/// Gear of a signed length, speed or direction: reverse if it is negative.
+[[nodiscard]] constexpr Gear gear_of(double direction) noexcept {
+  return direction < 0.0 ? Gear::reverse : Gear::forward;
+}
 
 /// Part of a path in one gear. Its curvature is constant (an arc or a line) or changes linearly
 /// with the driven distance (a clothoid).
@@ -23,6 +36,8 @@ struct Segment {
   double length = 0.0;
   /// Change of curvature per metre driven, in either gear [1/m^2]; 0 on arcs and lines.
   double curvature_rate = 0.0;
+  /// Gear in which the segment is driven.
+  [[nodiscard]] constexpr Gear gear() const noexcept { return gear_of(length); }
   bool operator==(const Segment&) const = default;
 };
 
@@ -94,7 +109,7 @@ struct PathPoint {
   /// Curvature at the pose [1/m]: of the segment driven next, or of the last one at the end of the
   /// path.
   double curvature = 0.0;
-  int direction = 1;  ///< 1 forward, -1 reverse
+  Gear gear = Gear::forward;
 };
 
 /// Pose after driving the segment from `pose`, in the frame of `pose`; heading in [-pi, pi). It is

@@ -24,7 +24,7 @@ struct StatedPose {
   double s = 0.0;                          ///< driven distance since the start [m]
   Pose pose;                               ///< pose in the frame of the path
   std::optional<double> curvature = {};    ///< curvature there [1/m]
-  std::optional<int> direction = {};       ///< 1 forward, -1 reverse
+  std::optional<Gear> gear = {};           ///< gear there
   std::optional<double> hitch_angle = {};  ///< hitch angle there [rad]
 };
 

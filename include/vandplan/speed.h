@@ -84,7 +84,7 @@ struct Motion {
   Pose pose = {};               ///< pose in the frame of the path
   double curvature = 0.0;       ///< curvature of the wheels [1/m]
   double steering_angle = 0.0;  ///< front-wheel angle of a bicycle [rad]; positive to the left
-  int direction = 1;            ///< 1 forward, -1 reverse; at a stop that of the drive to come
+  Gear gear = Gear::forward;    ///< gear; at a stop that of the drive to come
   double v = 0.0;               ///< speed [m/s]; negative in reverse
   double a = 0.0;               ///< change of v [m/s^2]; negative when gaining speed in reverse
 };

@@ -314,7 +314,7 @@ void Drive::log(const Command& wanted) {
   result_.log.push_back({.t = t_,
                          .s = place_on_path(),
                          .pose = in_scenario(real_.pose),
-                         .direction = state_.direction,
+                         .gear = gear_of(state_.direction),
                          .v = state_.direction * state_.v + 0.0,  // adding 0 avoids -0
                          .steering_angle = state_.steering_angle,
                          .wanted_steering = wanted.steering_angle,

@@ -41,7 +41,7 @@ std::vector<Stop> jumps_of(const std::vector<Motion>& motions, const SpeedProfil
     const auto after = std::ranges::upper_bound(motions, stop.s, {}, &Motion::s);
     const auto begin = std::ranges::lower_bound(motions, stop.s, {}, &Motion::s);
     if (begin == motions.begin() || after == motions.end()) continue;
-    if (std::prev(begin)->direction == after->direction) jumps.push_back(stop);
+    if (std::prev(begin)->gear == after->gear) jumps.push_back(stop);
   }
   return jumps;
 }
@@ -87,7 +87,8 @@ Execution executed(const Problem& problem, const Path& path, const std::vector<M
     const double turned = std::clamp(next.steering_angle - wheels, -most, most);
     const auto [sin, cos] = base::sin_cos(wheels + turned / 2);
     const double way = next.s - now.s;
-    const Segment arc{sin / cos / vehicle.wheelbase, way > 0.0 ? now.direction * way : 0.0};
+    const Segment arc{sin / cos / vehicle.wheelbase,
+                      way > 0.0 ? direction_of(now.gear) * way : 0.0};
     const State to = advance(vehicle, state, arc);
     result.duration += next.t - now.t;
     wheels += turned;

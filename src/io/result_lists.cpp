@@ -39,7 +39,7 @@ StatedPose stated_pose(const Document& file) {
     const std::int64_t sign = file.integer(*direction);
     if (sign != 1 && sign != -1)
       file.fail(*direction, fmt::format("is {}, expected 1 or -1", sign));
-    stated.direction = static_cast<int>(sign);
+    stated.gear = gear_of(static_cast<double>(sign));
   }
   stated.hitch_angle = hitch_angle_from(file, node);
   return stated;

@@ -89,7 +89,7 @@ std::string text_of(const PathPoint& point, const double* hitch_angle, Layout la
   }
   append(R"("curvature")", point.curvature);
   text.append(comma_of(layout)).append(R"("direction")").append(colon_of(layout));
-  return text.append(std::to_string(point.direction)).append("}");
+  return text.append(std::to_string(direction_of(point.gear))).append("}");
 }
 
 /// JSON of a node of a tree.

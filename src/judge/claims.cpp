@@ -107,7 +107,7 @@ bool lies_on(const StatedPose& stated, const Track& track, const Trailing* trail
   const Stretch& stretch = track.stretches[i];
   const Real t = std::clamp<Real>(stated.s - stretch.s, 0, stretch.length);
   if (!(std::abs(stretch.s + t - stated.s) <= stated_tolerance)) return false;
-  if (stated.direction && *stated.direction != stretch.direction) return false;
+  if (stated.gear && (*stated.gear == Gear::forward) != (stretch.direction > 0)) return false;
   const Real curvature = curvature_at(stretch, t);
   if (stated.curvature && !(std::abs(curvature - *stated.curvature) <= stated_tolerance)) {
     return false;

@@ -157,7 +157,7 @@ PathPoint point_at(const Track& track, const Place& place) {
           .pose = {static_cast<double>(position.x), static_cast<double>(position.y),
                    static_cast<double>(std::remainder(position.heading, full_turn))},
           .curvature = static_cast<double>(curvature_at(stretch, place.t)),
-          .direction = stretch.direction > 0 ? 1 : -1};
+          .gear = stretch.direction > 0 ? Gear::forward : Gear::reverse};
 }
 
 }  // namespace vandplan::judge

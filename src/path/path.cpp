@@ -46,6 +46,10 @@ bool goes_on(const Segment& segment, const Segment& next) {
 
 }  // namespace
 
+std::string_view name_of(Gear gear) noexcept {
+  return gear == Gear::forward ? "forward" : "reverse";
+}
+
 Segment part_of(const Segment& segment, double begin, double end) noexcept {
   return {curvature_at(segment, begin), std::copysign(end - begin, segment.length),
           segment.curvature_rate};
@@ -130,27 +134,26 @@ std::vector<PathPoint> sampled(const Path& path, double step) {
   constexpr double most = 1e7;
   base::require(step > 0.0 && step >= length(path) / most, "step", step,
                 "more than 0 m, and 10^7 of them on the path at most");
-  if (path.segments.empty()) return {{0.0, path.start, 0.0, 1}};
+  if (path.segments.empty()) return {{0.0, path.start, 0.0, Gear::forward}};
   std::vector<PathPoint> points;
   const auto [x, y] = beside(path.start);
   Pose pose = moved(path.start, -x, -y);
   double s = 0.0;
   for (const Segment& segment : path.segments) {
     const double size = std::abs(segment.length);
-    const int direction = segment.length < 0.0 ? -1 : 1;
     const auto steps = static_cast<std::size_t>(std::max(1.0, std::ceil(size / step)));
     for (std::size_t i = 0; i < steps; ++i) {
       const double part = static_cast<double>(i) / static_cast<double>(steps);
       const Segment driven{segment.curvature, segment.length * part, segment.curvature_rate};
       points.push_back({s + size * part, moved(advance(pose, driven), x, y),
-                        curvature_at(segment, size * part), direction});
+                        curvature_at(segment, size * part), segment.gear()});
     }
     pose = advance(pose, segment);
     s += size;
   }
   const Segment& last = path.segments.back();
   points.push_back(
-      {s, moved(pose, x, y), curvature_at(last, std::abs(last.length)), points.back().direction});
+      {s, moved(pose, x, y), curvature_at(last, std::abs(last.length)), points.back().gear});
   return points;
 }
 

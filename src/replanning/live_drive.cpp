@@ -259,7 +259,7 @@ class LiveDrive {
     result_.log.push_back({.t = t_,
                            .s = place_,
                            .pose = in_scenario(pose_),
-                           .direction = state_.direction,
+                           .gear = gear_of(state_.direction),
                            .v = state_.direction * state_.v + 0.0,
                            .steering_angle = state_.steering_angle,
                            .wanted_steering = wanted.steering_angle,

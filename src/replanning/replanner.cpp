@@ -286,10 +286,8 @@ class Replanner::Impl {
         std::abs(state.v - planned.v) <= off_speed) {
       return;
     }
-    const Motion now{.pose = pose,
-                     .curvature = state.curvature,
-                     .direction = state.v < 0.0 ? -1 : 1,
-                     .v = state.v};
+    const Motion now{
+        .pose = pose, .curvature = state.curvature, .gear = gear_of(state.v), .v = state.v};
     NewDrive way = Ways(scene_, options_.plan).braking({standing_at(pose), now});
     set({.outcome = TickOutcome::none,
          .begin = t,

@@ -31,8 +31,8 @@ double largest_growth(std::span<const MovingObstacle> moving) {
   return most;
 }
 
-bool begins_in_gear(const std::vector<Segment>& segments, int direction) {
-  return segments.empty() || (segments.front().length < 0.0 ? -1 : 1) == direction;
+bool begins_in_gear(const std::vector<Segment>& segments, Gear gear) {
+  return segments.empty() || segments.front().gear() == gear;
 }
 
 }  // namespace
@@ -71,7 +71,7 @@ double Ways::cost_of(const TimedPath& drive) const {
 std::optional<TimedPath> Ways::timed(const Path& path, const Motion& begin, double t, double margin,
                                      const WorkLimit& limit, double longest) {
   const double speed = standing_or(speed_of(begin));
-  if (speed > 0.0 && !begins_in_gear(path.segments, begin.direction)) return std::nullopt;
+  if (speed > 0.0 && !begins_in_gear(path.segments, begin.gear)) return std::nullopt;
   const std::vector<MovingObstacle> moving = later(scene_.moving, t);
   const moving::Traffic traffic{.moving = moving,
                                 // `later` drops the growth of outlines before time t, so the margin
@@ -149,7 +149,8 @@ std::optional<Path> Ways::path_of(Look look, const CutDrive& from, double t,
     // The path continues the current curvature and gear.
     if (speed <= stands) return std::nullopt;
     options.steering = Steering::continuous;
-    options.cost.initial_gear = begin.direction < 0 ? InitialGear::reverse : InitialGear::forward;
+    const bool reverses = begin.gear == Gear::reverse;
+    options.cost.initial_gear = reverses ? InitialGear::reverse : InitialGear::forward;
   } else if (speed > stands) {
     path.segments = cut(from.drive.path.segments, 0.0, braking_distance(speed) * (1 + 1e-6));
     root = end_pose(path);
@@ -221,7 +222,8 @@ NewDrive Ways::braking(const CutDrive& rest) const {
   Path path{rest.begin.pose, cut(rest.drive.path.segments, 0.0, far)};
   const double left = far - length(path);
   if (path.segments.empty() || left > 1e-9) {
-    path.segments.push_back({rest.begin.curvature, std::copysign(left, rest.begin.direction)});
+    path.segments.push_back(
+        {rest.begin.curvature, std::copysign(left, direction_of(rest.begin.gear))});
   }
   way.drive.path = path;
   SpeedProfile& speeds = way.drive.speeds;

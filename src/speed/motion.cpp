@@ -31,7 +31,7 @@ Motion standing(const Way& way, const Vehicle& vehicle, const Stop& stop, double
   const double after = steering_angle(vehicle, stop.curvature_after);
   const double share = stop.pause > 0.0 ? std::min((t - stop.t) / stop.pause, 1.0) : 1.0;
   const PathPoint place = way.at(stop.s, true);
-  Motion motion{.t = t, .s = stop.s, .pose = place.pose, .direction = place.direction};
+  Motion motion{.t = t, .s = stop.s, .pose = place.pose, .gear = place.gear};
   motion.steering_angle = share < 1.0 ? before + share * (after - before) : after;
   const auto [sin, cos] = base::sin_cos(motion.steering_angle);
   motion.curvature = share < 1.0 ? sin / cos / vehicle.wheelbase : stop.curvature_after;
@@ -69,14 +69,15 @@ Motion motion_on(const Way& way, const Vehicle& vehicle, const SpeedProfile& pro
   const double a = knot.a + d * knot.jerk;
   // Where two segments meet at a stop, the earlier one counts until the stop has begun.
   const PathPoint place = way.at(s, s < part.end);
+  const int direction = direction_of(place.gear);
   return {.t = t,
           .s = s,
           .pose = place.pose,
           .curvature = place.curvature,
           .steering_angle = steering_angle(vehicle, place.curvature),
-          .direction = place.direction,
-          .v = place.direction * v + 0.0,  // adding 0 avoids -0
-          .a = place.direction * a + 0.0};
+          .gear = place.gear,
+          .v = direction * v + 0.0,  // adding 0 avoids -0
+          .a = direction * a + 0.0};
 }
 
 void check_profile(const SpeedProfile& profile) {

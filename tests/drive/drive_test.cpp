@@ -177,7 +177,7 @@ TEST(Drive, WheelsAreTurnedAtStandstill) {
   int standing = 0;
   for (std::size_t i = 1; i < result.log.size(); ++i) {
     const DriveMoment& now = result.log[i];
-    if (now.direction != result.log[i - 1].direction) {
+    if (now.gear != result.log[i - 1].gear) {
       EXPECT_EQ(result.log[i - 1].v, 0) << now.t;
     }
     if (now.v != 0) continue;

@@ -31,8 +31,8 @@ PathCheck check_open(const Path& path, const PathClaims& claims = {},
 
 std::vector<StatedPose> stated(const Path& path) {
   std::vector<StatedPose> poses;
-  for (const auto& [s, pose, curvature, direction] : sampled(path, 0.1)) {
-    poses.push_back({s, pose, curvature, direction});
+  for (const auto& [s, pose, curvature, gear] : sampled(path, 0.1)) {
+    poses.push_back({s, pose, curvature, gear});
   }
   return poses;
 }

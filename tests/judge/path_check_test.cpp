@@ -269,8 +269,8 @@ using Poses = std::vector<StatedPose>;
 
 Poses true_poses(const Path& path) {
   Poses poses;
-  for (const auto& [s, pose, curvature, direction] : sampled(path, 0.1)) {
-    poses.push_back({s, pose, curvature, direction});
+  for (const auto& [s, pose, curvature, gear] : sampled(path, 0.1)) {
+    poses.push_back({s, pose, curvature, gear});
   }
   return poses;
 }
@@ -295,7 +295,7 @@ TEST(PathCheck, FalsePosesAreRejected) {
             "the stated poses[7] is not on the path");
   EXPECT_EQ(complaint_about([](Poses& poses) { poses[7].curvature = 0; }),
             "the stated poses[7] is not on the path");
-  EXPECT_EQ(complaint_about([](Poses& poses) { poses.back().direction = 1; }),
+  EXPECT_EQ(complaint_about([](Poses& poses) { poses.back().gear = Gear::forward; }),
             "the stated poses[40] is not on the path");
   EXPECT_EQ(complaint_about([](Poses& poses) { poses.erase(poses.begin()); }),
             "the stated poses[0] does not begin at s = 0");
@@ -320,7 +320,7 @@ TEST(PathCheck, PosesAtAJointMayBelongToEitherSide) {
   EXPECT_EQ(complaint_about([](Poses& poses) {
               ASSERT_DOUBLE_EQ(poses[30].s, 3);
               poses[30].curvature = 1.0 / 7;
-              poses[30].direction = 1;
+              poses[30].gear = Gear::forward;
             }),
             "");
 }
@@ -382,7 +382,7 @@ TEST(PathCheck, TheFirstCollisionOnTheWayIsReported) {
   ASSERT_TRUE(check.at);
   EXPECT_NEAR(check.at->s, 3.1, 1e-3);
   EXPECT_NEAR(check.at->pose.x, 3.1, 1e-3);
-  EXPECT_EQ(check.at->direction, 1);
+  EXPECT_EQ(check.at->gear, Gear::forward);
 }
 
 TEST(PathCheck, ThePlaceOfACollisionIsWhereTheTouchBegins) {
@@ -454,7 +454,7 @@ TEST(PathCheck, ReverseIsLookedAtToo) {
   const PathCheck check = check_path(blocked, back, {});
   ASSERT_TRUE(check.at);
   EXPECT_NEAR(check.at->s, 9.4, 1e-3);
-  EXPECT_EQ(check.at->direction, -1);
+  EXPECT_EQ(check.at->gear, Gear::reverse);
 }
 
 PathCheck check_with_kerb(const Polygon& kerb, const Vehicle& vehicle) {

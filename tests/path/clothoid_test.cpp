@@ -177,7 +177,7 @@ TEST(ClothoidLaw, SampledPointsLieOnThePathWithItsCurvature) {
       const PathPoint& b = points[i];
       const double turn = std::remainder(b.pose.heading - a.pose.heading, 2 * pi);
       const double middle = (a.curvature + b.curvature) / 2;
-      EXPECT_NEAR(turn, a.direction * middle * (b.s - a.s), 1e-12);
+      EXPECT_NEAR(turn, direction_of(a.gear) * middle * (b.s - a.s), 1e-12);
     }
   });
 }

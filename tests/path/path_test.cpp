@@ -36,10 +36,20 @@ TEST(Path, SampledPointsAreNoFurtherApartThanTheStep) {
   const auto points = sampled(path, 0.1);
   EXPECT_EQ(points.front().pose, path.start);
   EXPECT_EQ(points.back().pose, end_pose(path));
-  EXPECT_EQ(points.back().direction, -1);
+  EXPECT_EQ(points.front().gear, Gear::forward);
+  EXPECT_EQ(points.back().gear, Gear::reverse);
   for (std::size_t i = 1; i < points.size(); ++i) {
     EXPECT_LE(points[i].s - points[i - 1].s, 0.1 + 1e-12);
   }
+}
+
+TEST(Path, ASegmentHasTheGearOfItsLength) {
+  EXPECT_EQ((Segment{0.1, 2}).gear(), Gear::forward);
+  EXPECT_EQ((Segment{0.1, -2}).gear(), Gear::reverse);
+  EXPECT_EQ(direction_of(Gear::forward), 1);
+  EXPECT_EQ(direction_of(Gear::reverse), -1);
+  EXPECT_EQ(name_of(Gear::forward), "forward");
+  EXPECT_EQ(name_of(gear_of(-0.5)), "reverse");
 }
 
 TEST(Path, MergedJoinsEqualNeighboursOnly) {

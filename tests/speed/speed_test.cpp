@@ -197,7 +197,7 @@ TEST(Motion, ReverseIsNegative) {
   EXPECT_DOUBLE_EQ(motion.a, -1.0);
   EXPECT_DOUBLE_EQ(motion.s, 0.5);
   EXPECT_DOUBLE_EQ(motion.pose.x, -0.5);
-  EXPECT_EQ(motion.direction, -1);
+  EXPECT_EQ(motion.gear, Gear::reverse);
   EXPECT_DOUBLE_EQ(motion_at(path, car(), profile, 6.0).a, 1.0);
   EXPECT_FALSE(std::signbit(motion_at(path, car(), profile, 0.0).v));  // no -0 in files
   EXPECT_FALSE(std::signbit(motion_at(path, car(), profile, 3.0).a));
@@ -211,7 +211,7 @@ TEST(Motion, TheWheelsTurnEvenlyWhileItStands) {
   EXPECT_EQ(middle.s, 1.0);
   EXPECT_EQ(middle.v, 0.0);
   EXPECT_EQ(middle.a, 0.0);
-  EXPECT_EQ(middle.direction, -1);  // what comes next
+  EXPECT_EQ(middle.gear, Gear::reverse);  // what comes next
   EXPECT_DOUBLE_EQ(middle.steering_angle, 0.375);
   EXPECT_NEAR(std::tan(middle.steering_angle), 2.8 * middle.curvature, 1e-15);
   const Motion start = motion_at(path, car(), profile, 3.5);
@@ -224,9 +224,9 @@ TEST(Motion, UntilAStopItIsOnTheWayThere) {
   const Path path = path_of({{0, 1}, {full, -1}});
   const SpeedProfile profile = speed_profile(path, car());
   const Motion before = motion_at(path, car(), profile, std::nextafter(profile.stops[0].t, 0.0));
-  EXPECT_EQ(before.direction, 1);
+  EXPECT_EQ(before.gear, Gear::forward);
   EXPECT_EQ(before.steering_angle, 0.0);
-  EXPECT_EQ(motion_at(path, car(), profile, profile.stops[0].t).direction, -1);
+  EXPECT_EQ(motion_at(path, car(), profile, profile.stops[0].t).gear, Gear::reverse);
 }
 
 TEST(Motion, FarFromTheOriginNothingIsLost) {

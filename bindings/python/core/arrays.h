@@ -130,7 +130,8 @@ struct type_caster<vandplan::PathPoint> {
   PYBIND11_TYPE_CASTER(vandplan::PathPoint, const_name("place"));
   bool load(handle given, bool) {
     value = {given["s"].cast<double>(), given["pose"].cast<vandplan::Pose>(),
-             given["curvature"].cast<double>(), given["direction"].cast<int>()};
+             given["curvature"].cast<double>(),
+             vandplan::gear_of(given["direction"].cast<double>())};
     return true;
   }
   static handle cast(const vandplan::PathPoint& place, return_value_policy, handle) {
@@ -138,7 +139,7 @@ struct type_caster<vandplan::PathPoint> {
     values["s"] = place.s;
     values["pose"] = vandplan::python::array_of(place.pose);
     values["curvature"] = place.curvature;
-    values["direction"] = place.direction;
+    values["direction"] = vandplan::direction_of(place.gear);
     return values.release();
   }
 };

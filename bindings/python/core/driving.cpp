@@ -183,7 +183,7 @@ py::array_t<double> log_table(const std::vector<DriveMoment>& log) {
     for (const auto& [name, member] : moment_numbers) *out++ = m.*member;
     const double missing = std::numeric_limits<double>::quiet_NaN();
     for (const double number :
-         {m.pose.x, m.pose.y, m.pose.heading, static_cast<double>(m.direction),
+         {m.pose.x, m.pose.y, m.pose.heading, static_cast<double>(direction_of(m.gear)),
           m.hitch_angle.value_or(missing)}) {
       *out++ = number;
     }
@@ -198,7 +198,7 @@ std::vector<DriveMoment> log_from(const py::handle& given) {
   for (DriveMoment& m : log) {
     for (const auto& [name, member] : moment_numbers) m.*member = *in++;
     m.pose = {in[0], in[1], in[2]};
-    m.direction = static_cast<int>(in[3]);
+    m.gear = gear_of(in[3]);
     if (!std::isnan(in[4])) m.hitch_angle = in[4];
     in += 5;
   }
@@ -213,7 +213,7 @@ py::dict log_columns(const std::vector<DriveMoment>& log) {
   columns["x"] = column_of(log, [](const DriveMoment& m) { return m.pose.x; });
   columns["y"] = column_of(log, [](const DriveMoment& m) { return m.pose.y; });
   columns["heading"] = column_of(log, [](const DriveMoment& m) { return m.pose.heading; });
-  columns["direction"] = column_of(log, [](const DriveMoment& m) { return m.direction; });
+  columns["direction"] = column_of(log, [](const DriveMoment& m) { return direction_of(m.gear); });
   columns["hitch_angle"] = column_of(log, [](const DriveMoment& m) {
     return m.hitch_angle.value_or(std::numeric_limits<double>::quiet_NaN());
   });

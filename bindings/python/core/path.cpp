@@ -80,7 +80,7 @@ py::dict samples_of(const Path& path, double step) {
   columns["y"] = column([](const PathPoint& p) { return p.pose.y; });
   columns["heading"] = column([](const PathPoint& p) { return p.pose.heading; });
   columns["curvature"] = column([](const PathPoint& p) { return p.curvature; });
-  columns["direction"] = column([](const PathPoint& p) { return p.direction; });
+  columns["direction"] = column([](const PathPoint& p) { return direction_of(p.gear); });
   return columns;
 }
 

@@ -54,7 +54,8 @@ StatedCost cost_from(const py::handle& given) {
 py::tuple state_of(const PathClaims& claims) {
   py::list poses;
   for (const StatedPose& p : claims.poses) {
-    poses.append(py::make_tuple(p.s, p.pose, p.curvature, p.direction, p.hitch_angle));
+    const auto gear = p.gear ? std::optional(direction_of(*p.gear)) : std::nullopt;
+    poses.append(py::make_tuple(p.s, p.pose, p.curvature, gear, p.hitch_angle));
   }
   const py::object cost = claims.cost ? py::object(state_of(*claims.cost)) : py::none();
   return py::make_tuple(claims.length, claims.gear_changes, cost, claims.clearance.margin,
@@ -74,9 +75,11 @@ PathClaims claims_from(const py::handle& given) {
   if (!state[2].is_none()) claims.cost = cost_from(state[2]);
   for (const py::handle item : state[7]) {
     const auto p = py::reinterpret_borrow<py::tuple>(item);
-    claims.poses.push_back({p[0].cast<double>(), p[1].cast<Pose>(),
-                            p[2].cast<std::optional<double>>(), p[3].cast<std::optional<int>>(),
-                            p[4].cast<std::optional<double>>()});
+    claims.poses.push_back({.s = p[0].cast<double>(),
+                            .pose = p[1].cast<Pose>(),
+                            .curvature = p[2].cast<std::optional<double>>(),
+                            .hitch_angle = p[4].cast<std::optional<double>>()});
+    if (!p[3].is_none()) claims.poses.back().gear = gear_of(p[3].cast<double>());
   }
   return claims;
 }

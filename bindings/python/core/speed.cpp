@@ -34,7 +34,7 @@ py::dict columns_of(const std::vector<Motion>& motions) {
   add("heading", [](const Motion& m) { return m.pose.heading; });
   add("curvature", [](const Motion& m) { return m.curvature; });
   add("steering_angle", [](const Motion& m) { return m.steering_angle; });
-  add("direction", [](const Motion& m) { return m.direction; });
+  add("direction", [](const Motion& m) { return direction_of(m.gear); });
   add("v", [](const Motion& m) { return m.v; });
   add("a", [](const Motion& m) { return m.a; });
   return columns;

@@ -198,7 +198,7 @@ val sampled_path(const val& given, double step) {
     std::vector<double> rows;
     for (const PathPoint& point : sampled(path_from(given), step)) {
       rows.insert(rows.end(), {point.s, point.pose.x, point.pose.y, point.pose.heading,
-                               point.curvature, static_cast<double>(point.direction)});
+                               point.curvature, static_cast<double>(direction_of(point.gear))});
     }
     return array_of(std::span<const double>(rows));
   });
