@@ -15,11 +15,10 @@
 #include "base/text.h"
 #include "drive/plant.h"
 #include "problem/moving.h"
+#include "replanning/judging.h"
 #include "replanning/known_ground.h"
 #include "replanning/ways.h"
-#include "vandplan/drive_check.h"
 #include "vandplan/input_error.h"
-#include "vandplan/path_check.h"
 #include "vandplan/planner.h"
 #include "vandplan/random.h"
 
@@ -78,20 +77,6 @@ struct Judged {
 
   [[nodiscard]] bool all() const noexcept { return ground && company && times; }
 };
-
-/// Verdict of the judge on a drive.
-struct Verdict {
-  std::string fault = {};  // first fault of the drive; empty if there is none
-  double met = infinite;   // time of the meeting, if the fault is a moving obstacle [s]
-
-  [[nodiscard]] bool is_good() const noexcept { return fault.empty(); }
-};
-
-Verdict verdict_of(DriveCheck check) {
-  // `clearance` is empty if the check of speeds failed before moving obstacles were checked.
-  const double met = check.clearance ? check.t.value_or(infinite) : infinite;
-  return {std::move(check.reason), met};
-}
 
 ReplanAnswer in_frame(const ReplanAnswer& local, const Point& origin) {
   ReplanAnswer answer = local;
@@ -183,55 +168,20 @@ class Replanner::Impl {
             stream_seed(options_.plan.budget.seed, static_cast<std::uint64_t>(ticks_))};
   }
 
-  /// Problem for the judge: the rest of a drive among the moving obstacles from now on.
-  [[nodiscard]] Problem problem_of(const CutDrive& rest, bool reaches_goal) const {
-    const double sharpest = 1.0 / scene_.vehicle.min_turning_radius;
-    const Path& path = rest.drive.path;
-    if (reaches_goal && !scene_.goal_set.empty()) {
-      return with_moving(problem_from(scene_, scene_.vehicle, path.start, rest.begin.curvature),
-                         scene_.moving);
-    }
-    const Pose end = reaches_goal ? scene_.goal : end_pose(path);
-    const double curvature = std::clamp(rest.begin.curvature, -sharpest, sharpest);
-    return with_moving(
-        make_problem(scene_.world, scene_.vehicle, path.start, end, {curvature, 0.0}),
-        scene_.moving);
-  }
-
-  /// Verdict on a drive that begins now.
-  [[nodiscard]] Verdict judged(const CutDrive& rest, bool reaches_goal, double margin) const {
-    const Problem problem = problem_of(rest, reaches_goal);
-    ClearanceOptions clearance = options_.plan.clearance;
-    clearance.margin = margin;
-    PathCheck way = check_path(problem, rest.drive.path, {.clearance = clearance});
-    if (!way.valid) return {std::move(way.reason)};
-    return verdict_of(
-        check_drive(problem, rest.drive, {margin, rest.drive.speeds.knots.front().v}));
-  }
-
   [[nodiscard]] Verdict judged(const NewDrive& way, const Motion& now, double margin) const {
-    return judged({way.drive, now}, way.reaches_goal, margin);
+    return judging_.of_drive({way.drive, now}, way.reaches_goal, margin);
   }
 
   /// Verdict on the rest of the current drive. Checks that still hold are skipped.
   [[nodiscard]] Verdict judged_again(const CutDrive& rest) const {
     if (judged_.all()) return {};
-    if (!judged_.times) return judged(rest, answer_.reaches_goal, margin());
-    const Problem problem = problem_of(rest, answer_.reaches_goal);
+    if (!judged_.times) return judging_.of_drive(rest, answer_.reaches_goal, margin());
     if (!judged_.ground) {
-      PathCheck way = check_path(problem, rest.drive.path, {.clearance = options_.plan.clearance});
-      if (!way.valid) return {std::move(way.reason)};
+      Verdict way = judging_.of_path(rest, answer_.reaches_goal);
+      if (!way.is_good()) return way;
     }
     if (judged_.company) return {};
-    return verdict_of(check_company(problem, rest.drive, {margin()}));
-  }
-
-  /// Time of the first meeting on a drive that begins now [s]; 0 if its path hits an obstacle.
-  [[nodiscard]] double met_at(const CutDrive& rest, bool reaches_goal) const {
-    const Problem problem = problem_of(rest, reaches_goal);
-    if (!check_path(problem, rest.drive.path).valid) return 0.0;
-    const DriveCheck check = check_company(problem, rest.drive);
-    return check.valid ? infinite : check.t.value_or(0.0);
+    return judging_.of_company(rest, answer_.reaches_goal);
   }
 
   void set(ReplanAnswer answer) {
@@ -247,17 +197,7 @@ class Replanner::Impl {
          .start_speed = std::abs(now.v),
          .reaches_goal = way.reaches_goal,
          .is_safe = true,
-         .reason = way.reaches_goal ? "" : reason_of_no_way()});
-  }
-
-  /// Reason why the drive does not reach the goal.
-  [[nodiscard]] std::string reason_of_no_way() const {
-    if (!scene_.goal_set.empty()) return "no drive to any of the goals was found";
-    const Problem problem = make_problem(scene_.world, scene_.vehicle, scene_.goal, scene_.goal);
-    const PathCheck check =
-        check_path(problem, {scene_.goal, {}}, {.clearance = options_.plan.clearance});
-    if (!check.valid) return "the goal cannot be reached: " + check.reason;
-    return "no drive to the goal was found";
+         .reason = way.reaches_goal ? "" : judging_.reason_of_no_way()});
   }
 
   void begin(double t) {
@@ -385,7 +325,7 @@ class Replanner::Impl {
   void keep() {
     answer_.outcome = out_.outcome = TickOutcome::kept;
     answer_.is_safe = out_.is_safe = true;
-    answer_.reason = out_.reason = answer_.reaches_goal ? "" : reason_of_no_way();
+    answer_.reason = out_.reason = answer_.reaches_goal ? "" : judging_.reason_of_no_way();
   }
 
   void stop_or_brake(double t, const CutDrive& rest) {
@@ -406,7 +346,8 @@ class Replanner::Impl {
     // Driving on is better if it meets an obstacle later than braking: predictions may change until
     // then.
     NewDrive braking = ways.braking(rest);
-    if (met_at(rest, answer_.reaches_goal) > met_at({braking.drive, rest.begin}, false)) {
+    if (judging_.met_at(rest, answer_.reaches_goal) >
+        judging_.met_at({braking.drive, rest.begin}, false)) {
       answer_.outcome = out_.outcome = TickOutcome::none;
       judged_.ground = judged_.company = false;
     } else {
@@ -421,6 +362,7 @@ class Replanner::Impl {
   Problem problem_;
   KnownGround ground_;
   Scene scene_;
+  Judging judging_{scene_, options_.plan.clearance};
   std::vector<MovingObstacle> moving_;  // moving obstacles, with times of the clock
   ReplanAnswer answer_;                 // answer of the last tick, in the frame of the ground
   ReplanAnswer out_;                    // answer of the last tick, in the scenario's frame
