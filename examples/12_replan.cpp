@@ -33,7 +33,7 @@ int main() {
       replanner.patch({.added = {{.name = 1, .outline = crates}}});
     }
     // Here the truck follows the last answer exactly. tick(t, state) takes a measured state.
-    const vandplan::ReplanAnswer& answer = replanner.tick(t);
+    const vandplan::ReplanAnswer answer = replanner.tick(t);
     unsafe_ticks += answer.is_safe ? 0 : 1;
     if (!answer.drive) return 1;
     now = vandplan::motion_at(answer.drive->path, yard.vehicle, answer.drive->speeds,
@@ -44,7 +44,7 @@ int main() {
                   std::string(vandplan::name_of(answer.outcome)).c_str(),
                   answer.begin + answer.drive->speeds.duration);
     }
-    if (answer.reaches_goal && t >= answer.begin + answer.drive->speeds.duration) break;
+    if (answer.has_arrived) break;
   }
   const double left = std::hypot(now.pose.x - yard.goal.x, now.pose.y - yard.goal.y);
   std::printf("after %d ticks %.3f m from the goal, on the way %.2f m aside; unsafe ticks: %d\n",

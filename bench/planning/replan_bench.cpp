@@ -108,7 +108,7 @@ void drive(const Scenario& scenario, Prediction prediction, Figures& figures) {
     const auto seen = replanning::predicted(scenario.moving, here, t, options);
     const double begin = seconds();
     replanner.set_moving(seen);
-    const ReplanAnswer& answer = replanner.tick(t);
+    const ReplanAnswer answer = replanner.tick(t);
     if (i > 0) figures.ticks.push_back(seconds() - begin);
     figures.without += answer.is_safe ? 0 : 1;
     if (i > 0 && answer.outcome == TickOutcome::new_way) ++figures.new_ways;
@@ -150,7 +150,7 @@ void patch_large_map(std::uint64_t seed, Figures& all, Figures& new_ways) {
                          std::vector<Cell>(10'000, Cell::free)};
     const double begin = seconds();
     replanner.patch({.cells = {comes ? patch : away}});
-    const ReplanAnswer& answer = replanner.tick(0.1 * (i + 1));
+    const ReplanAnswer answer = replanner.tick(0.1 * (i + 1));
     const double took = seconds() - begin;
     for (Figures* const figures : {&all, &new_ways}) {
       const bool is_new = answer.outcome == TickOutcome::new_way;

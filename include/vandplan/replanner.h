@@ -7,7 +7,8 @@
 //   for (double t = 0; ...; t += 0.1) {
 //    replanner.patch(seen);             // what of the ground is new
 //    replanner.set_moving(predicted);   // who moves how, from now on
-//    const ReplanAnswer& answer = replanner.tick(t);
+//    const ReplanAnswer answer = replanner.tick(t);
+//    if (answer.has_arrived) break;
 //   }
 //
 // Method: docs/algorithms/replanning.md.
@@ -96,6 +97,9 @@ struct ReplanAnswer {
   std::shared_ptr<const TimedPath> drive = {};
   double start_speed = 0.0;   ///< speed with which the drive begins [m/s]; never negative
   bool reaches_goal = false;  ///< whether the drive ends at the goal, not on the way
+  /// Whether the vehicle stands at the goal: the drive reaches it and is over, and the measured
+  /// speed, if there is one, is at most 0.05 m/s.
+  bool has_arrived = false;
   /// Whether the judge accepts the rest of the drive. It touches nothing that stands or moves, then
   /// or ever after, as far as ground and moving obstacles are known. It also keeps the margin,
   /// unless it ends in a standstill on the way (outcome `stop`, or `kept` after it).
@@ -148,17 +152,17 @@ class Replanner {
   /// Plans at time `t` [s] for a vehicle that follows the last answer. The answer holds until the
   /// next tick. Throws InputError naming "t" for a time before the last tick; the answer then stays
   /// as it was.
-  const ReplanAnswer& tick(double t);
+  ReplanAnswer tick(double t);
 
   /// Plans at time `t` [s] for a vehicle in that state. Beyond 0.5 m, 0.5 m/s or 10 degrees from
   /// the last answer the plan begins at the state, otherwise at the planned state. The first tick
   /// begins at the scenario's start and ignores the state. Throws InputError naming "t",
   /// "state.pose", "state.v" or "state.curvature" that is not finite or out of range; the answer
   /// then stays as it was.
-  const ReplanAnswer& tick(double t, const VehicleState& state);
+  ReplanAnswer tick(double t, const VehicleState& state);
 
   /// The answer of the last tick; it has no drive before the first one.
-  [[nodiscard]] const ReplanAnswer& answer() const noexcept;
+  [[nodiscard]] ReplanAnswer answer() const;
 
  private:
   class Impl;

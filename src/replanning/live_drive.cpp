@@ -166,14 +166,14 @@ class LiveDrive {
     const auto [sin, cos] = base::sin_cos(state_.steering_angle);
     const VehicleState state{in_scenario(state_.pose), state_.direction * state_.v,
                              sin / cos / vehicle_.wheelbase};
-    const ReplanAnswer& answer = replanner_.tick(t_, state);
+    answer_ = replanner_.tick(t_, state);
     ++result_.ticks;
-    if (!answer.is_safe) ++result_.ticks_without_answer;
-    if (!answer.reaches_goal) ++result_.stopping_ticks;
-    if (answer.outcome == TickOutcome::new_times) ++result_.new_times;
-    if (answer.outcome == TickOutcome::new_way && result_.ticks > 1) ++result_.new_ways;
-    if (answer.drive == drive_) return;
-    drive_ = answer.drive;
+    if (!answer_.is_safe) ++result_.ticks_without_answer;
+    if (!answer_.reaches_goal) ++result_.stopping_ticks;
+    if (answer_.outcome == TickOutcome::new_times) ++result_.new_times;
+    if (answer_.outcome == TickOutcome::new_way && result_.ticks > 1) ++result_.new_ways;
+    if (answer_.drive == drive_) return;
+    drive_ = answer_.drive;
     const Path local{to_local(*truth_.world(), drive_->path.start), drive_->path.segments};
     strokes_ = strokes_of(local, drive_->speeds);
   }
@@ -183,7 +183,7 @@ class LiveDrive {
     if (!on_action_ || options_.action_rate == 0.0) return;
     for (; static_cast<double>(acted_) / options_.action_rate < t_ + control_period - 1e-9;
          ++acted_) {
-      on_action_(action_at(replanner_.answer(), scenario_.vehicle,
+      on_action_(action_at(answer_, scenario_.vehicle,
                            static_cast<double>(acted_) / options_.action_rate));
     }
   }
@@ -200,8 +200,8 @@ class LiveDrive {
   [[nodiscard]] Command decide() {
     MovingState state = state_;
     for (const Command& command : under_way_) state = after_period(state, command, vehicle_);
-    const double when = t_ + static_cast<double>(under_way_.size() + 1) * control_period -
-                        replanner_.answer().begin;
+    const double when =
+        t_ + static_cast<double>(under_way_.size() + 1) * control_period - answer_.begin;
     const Motion wanted = motion_at(drive_->path, scenario_.vehicle, drive_->speeds, when);
     const std::size_t i = stroke_at(wanted.s);
     const Stroke& stroke = strokes_[i];
@@ -249,8 +249,7 @@ class LiveDrive {
   }
 
   [[nodiscard]] bool has_arrived() const {
-    const ReplanAnswer& answer = replanner_.answer();
-    if (!answer.reaches_goal || t_ < answer.begin + drive_->speeds.duration) return false;
+    if (!answer_.reaches_goal || t_ < answer_.begin + drive_->speeds.duration) return false;
     return state_.v == 0.0 && std::abs(drive_->speeds.knots.back().s - place_) <= arrived_enough;
   }
 
@@ -305,11 +304,12 @@ class LiveDrive {
   Watch watch_;
   Track track_;
   std::optional<Sensor> sensor_;
-  std::shared_ptr<const TimedPath> drive_;
-  std::vector<Stroke> strokes_;    // strokes of the drive, in the world's frame
-  std::deque<Command> under_way_;  // commands that are decided, but not yet executed
-  MovingState state_;              // state with the estimated pose
-  Pose pose_;                      // true pose, in the world's frame
+  ReplanAnswer answer_;                     // answer of the last tick
+  std::shared_ptr<const TimedPath> drive_;  // its drive
+  std::vector<Stroke> strokes_;             // strokes of the drive, in the world's frame
+  std::deque<Command> under_way_;           // commands that are decided, but not yet executed
+  MovingState state_;                       // state with the estimated pose
+  Pose pose_;                               // true pose, in the world's frame
   Offset offset_;
   double place_ = 0.0;  // place along the drive [m]
   double t_ = 0.0;

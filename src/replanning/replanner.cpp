@@ -36,6 +36,7 @@ constexpr double most_speed = 1000.0;  // largest speed that is accepted as a me
 constexpr double off_place = 0.5;      // largest distance from the drive [m]
 constexpr double off_speed = 0.5;      // largest error of speed [m/s]
 constexpr double off_heading = std::numbers::pi / 18;  // largest error of heading [rad]
+constexpr double still = 0.05;  // largest measured speed of a vehicle that stands [m/s]
 
 void check_options(const ReplanOptions& options) {
   base::require(options.tick_iterations >= 0, "tick_iterations",
@@ -137,7 +138,7 @@ class Replanner::Impl {
     judged_.company = false;
   }
 
-  const ReplanAnswer& tick(double t, const VehicleState* state) {
+  void tick(double t, const VehicleState* state) {
     base::require(std::isfinite(t), "t", t, "a time [s]");
     if (t < last_t_) {
       throw InputError("t", "is " + base::shortest_text(t) + " s, expected no less than " +
@@ -157,7 +158,9 @@ class Replanner::Impl {
       if (state != nullptr) catch_up(t, *state);
       go_on(t);
     }
-    return out_;
+    const bool is_over = t >= answer_.begin + answer_.drive->speeds.duration;
+    const bool stands = state == nullptr || std::abs(state->v) <= still;
+    out_.has_arrived = answer_.reaches_goal && is_over && stands;
   }
 
   [[nodiscard]] const ReplanAnswer& answer() const noexcept { return out_; }
@@ -382,10 +385,14 @@ Replanner& Replanner::operator=(Replanner&&) noexcept = default;
 
 void Replanner::patch(const WorldPatch& patch) { impl_->patch(patch); }
 void Replanner::set_moving(std::span<const MovingObstacle> moving) { impl_->set_moving(moving); }
-const ReplanAnswer& Replanner::tick(double t) { return impl_->tick(t, nullptr); }
-const ReplanAnswer& Replanner::tick(double t, const VehicleState& state) {
-  return impl_->tick(t, &state);
+ReplanAnswer Replanner::tick(double t) {
+  impl_->tick(t, nullptr);
+  return impl_->answer();
 }
-const ReplanAnswer& Replanner::answer() const noexcept { return impl_->answer(); }
+ReplanAnswer Replanner::tick(double t, const VehicleState& state) {
+  impl_->tick(t, &state);
+  return impl_->answer();
+}
+ReplanAnswer Replanner::answer() const { return impl_->answer(); }
 
 }  // namespace vandplan

@@ -93,7 +93,7 @@ TEST(Misuse, AReplannerForgetsStatesThatCannotBe) {
     EXPECT_TRUE(place_of_error([&] { (void)replanner.tick(0.1, state); }).starts_with("state."));
     EXPECT_EQ(replanner.answer().drive, drive);
   }
-  const ReplanAnswer& answer = replanner.tick(0.1);
+  const ReplanAnswer answer = replanner.tick(0.1);
   EXPECT_TRUE(answer.is_safe);
   EXPECT_TRUE(answer.reaches_goal);
 }
@@ -101,7 +101,7 @@ TEST(Misuse, AReplannerForgetsStatesThatCannotBe) {
 TEST(Misuse, AReplannerSaysWhyAGoalIsNotReached) {
   Replanner replanner(built_over());
   for (const double t : {0.0, 0.1}) {
-    const ReplanAnswer& answer = replanner.tick(t);
+    const ReplanAnswer answer = replanner.tick(t);
     EXPECT_FALSE(answer.reaches_goal);
     EXPECT_TRUE(answer.is_safe);
     EXPECT_EQ(answer.reason.find("the goal cannot be reached: the footprint "), 0U)

@@ -122,6 +122,36 @@ TEST(Replanner, KeepsItsMindInAWorldThatStays) {
   EXPECT_NEAR(last.x, 60, 1e-5);
 }
 
+TEST(Replanner, SaysThatItHasArrived) {
+  const Scenario scenario = lane();
+  Replanner replanner(scenario);
+  const double end = replanner.tick(0).drive->speeds.duration;
+  EXPECT_FALSE(replanner.tick(end - 0.1).has_arrived);
+  EXPECT_TRUE(replanner.tick(end).has_arrived);
+  EXPECT_FALSE(replanner.tick(end, {.pose = scenario.goal, .v = 0.1}).has_arrived);
+  EXPECT_TRUE(replanner.tick(end + 1, {.pose = scenario.goal}).has_arrived);
+  EXPECT_TRUE(replanner.answer().has_arrived);
+}
+
+TEST(Replanner, HasNotArrivedWhereItStopsOnItsWay) {
+  Replanner replanner(lane());
+  for (double t = 0; t < 6; t += tick_period) (void)replanner.tick(t);
+  replanner.patch({.added = {{7, box(30, -28, 31, 28)}}});  // from wall to wall
+  const ReplanAnswer stop = replanner.tick(6);
+  ASSERT_EQ(stop.outcome, TickOutcome::stop);
+  EXPECT_FALSE(replanner.tick(6 + stop.drive->speeds.duration).has_arrived);
+}
+
+TEST(Replanner, AnAnswerStaysAsItWas) {
+  Replanner replanner(lane());
+  const ReplanAnswer first = replanner.tick(0);
+  replanner.patch({.added = {{7, box(30, -4, 33, 4)}}});
+  const ReplanAnswer second = replanner.tick(1);
+  EXPECT_EQ(first.begin, 0.0);
+  EXPECT_EQ(second.begin, 1.0);
+  EXPECT_NE(first.drive, second.drive);
+}
+
 TEST(Replanner, GoesRoundWhatComesUpAndKeepsTheNextSecond) {
   Scenario scenario = lane();
   Replanner replanner(scenario);
@@ -129,7 +159,7 @@ TEST(Replanner, GoesRoundWhatComesUpAndKeepsTheNextSecond) {
   const ReplanAnswer before = replanner.answer();
   scenario.obstacles.push_back(box(30, -4, 33, 4));
   replanner.patch({.added = {{7, scenario.obstacles.back()}}});
-  const ReplanAnswer& after = replanner.tick(6);
+  const ReplanAnswer after = replanner.tick(6);
   EXPECT_EQ(after.outcome, TickOutcome::new_way);
   EXPECT_TRUE(after.reaches_goal);
   EXPECT_TRUE(after.is_safe);
@@ -160,7 +190,7 @@ TEST(Replanner, FirstPlanCountsTheSecondsOfTheWholeDrive) {
   ReplanOptions replan{.plan = options};
   replan.reserve = 0.01;
   Replanner replanner(scenario, replan);
-  const ReplanAnswer& first = replanner.tick(0);
+  const ReplanAnswer first = replanner.tick(0);
   ASSERT_TRUE(first.reaches_goal);
   EXPECT_LT(cost_of(*first.drive), 0.97 * cost_of({path, speed_profile(path, problem.vehicle())}));
 }
@@ -178,7 +208,7 @@ TEST(Replanner, TakesABetterWayAfterTheNextSecond) {
     before = replanner.answer();
     t += tick_period;
   }
-  const ReplanAnswer& after = replanner.answer();
+  const ReplanAnswer after = replanner.answer();
   ASSERT_EQ(after.outcome, TickOutcome::new_way);
   EXPECT_EQ(fault_of(after, scenario, t), "");
   const auto costs = [&](const ReplanAnswer& answer) {
@@ -229,7 +259,7 @@ TEST(Replanner, PlansFromTheSpeedThatIsMeasured) {
   Replanner replanner(scenario);
   for (double t = 0; t < 6; t += tick_period) (void)replanner.tick(t);
   const Pose here = pose_at(replanner.answer(), scenario.vehicle, 6);
-  const ReplanAnswer& answer = replanner.tick(6, {.pose = here, .v = 1.0});  // not 2.5 m/s
+  const ReplanAnswer answer = replanner.tick(6, {.pose = here, .v = 1.0});  // not 2.5 m/s
   EXPECT_EQ(answer.begin, 6);
   EXPECT_EQ(answer.start_speed, 1.0);
   EXPECT_EQ(fault_of(answer, scenario, 6), "");
@@ -242,7 +272,7 @@ TEST(Replanner, GivesUpWhatWasCommittedIfItMust) {
   const Pose here = pose_at(replanner.answer(), scenario.vehicle, 6);
   scenario.obstacles.push_back(box(here.x + 5.9 + 8, -4, here.x + 5.9 + 9, 4));
   replanner.patch({.added = {{7, scenario.obstacles.back()}}});
-  const ReplanAnswer& answer = replanner.tick(6);
+  const ReplanAnswer answer = replanner.tick(6);
   EXPECT_TRUE(answer.is_safe) << answer.reason;
   EXPECT_EQ(fault_of(answer, scenario, 6), "");
 }
@@ -259,7 +289,7 @@ TEST(Replanner, GoesOnWhereItIsMetLaterThanStanding) {
                              Afterwards::stays};
   const MovingObstacle stands{box(x + 16, -24, x + 18, 24), {{0, {0, 0, 0}}}, Afterwards::stays};
   replanner.set_moving(std::vector{comes, stands});
-  const ReplanAnswer& answer = replanner.tick(6);
+  const ReplanAnswer answer = replanner.tick(6);
   EXPECT_EQ(answer.outcome, TickOutcome::none);
   EXPECT_FALSE(answer.is_safe);
   EXPECT_NE(answer.reason, "");
@@ -278,14 +308,14 @@ TEST(Replanner, StopsBeforeAWallAndGoesOnWhenItIsGone) {
   scenario.obstacles.push_back(box(30, -28, 31, 28));  // from wall to wall
   replanner.patch({.added = {{7, scenario.obstacles.back()}}});
   for (double t = 6; t < 20; t += tick_period) {
-    const ReplanAnswer& answer = replanner.tick(t);
+    const ReplanAnswer answer = replanner.tick(t);
     ASSERT_FALSE(answer.reaches_goal);
     ASSERT_TRUE(answer.is_safe) << t << ": " << answer.reason;
     ASSERT_EQ(fault_of(answer, scenario, t), "") << t;
   }
   EXPECT_LT(pose_at(replanner.answer(), scenario.vehicle, 20).x, 30 - 5.9);
   replanner.patch({.removed = {7}});
-  const ReplanAnswer& answer = replanner.tick(20);
+  const ReplanAnswer answer = replanner.tick(20);
   EXPECT_TRUE(answer.reaches_goal);
   EXPECT_EQ(fault_of(answer, open, 20), "");
 }
@@ -297,7 +327,7 @@ TEST(Replanner, BrakesAndSaysSoWhenItIsTooLate) {
   const Pose here = pose_at(replanner.answer(), scenario.vehicle, 6);
   const double bumper = here.x + 5.9;
   replanner.patch({.added = {{7, box(bumper + 0.5, -20, bumper + 1, 20)}}});
-  const ReplanAnswer& answer = replanner.tick(6);
+  const ReplanAnswer answer = replanner.tick(6);
   EXPECT_EQ(answer.outcome, TickOutcome::none);
   EXPECT_FALSE(answer.is_safe);
   EXPECT_EQ(answer.reason.find("the footprint hits obstacles["), 0) << answer.reason;
@@ -319,7 +349,7 @@ TEST(Replanner, AnswersAreSafeAmongMoversThatAppear) {
         now.moving.push_back(car({{t, {x, -20, 1.5708}}, {t + 13 + seed, {x, 24, 1.5708}}}));
         replanner.set_moving(now.moving);
       }
-      const ReplanAnswer& answer = replanner.tick(t);
+      const ReplanAnswer answer = replanner.tick(t);
       new_answers += answer.outcome == TickOutcome::kept ? 0 : 1;
       ASSERT_TRUE(answer.is_safe) << "seed " << seed << " at " << t << ": " << answer.reason;
       ASSERT_EQ(fault_of(answer, now, t), "") << "seed " << seed << " at " << t;
@@ -339,7 +369,7 @@ TEST(Replanner, TakesPatchesOfCells) {
   for (double t = 0; t < 6; t += tick_period) (void)replanner.tick(t);
   const CellPatch wall{100, 50, 4, 20, std::vector<Cell>(80, Cell::occupied)};
   replanner.patch({.cells = {wall}});
-  const ReplanAnswer& answer = replanner.tick(6);
+  const ReplanAnswer answer = replanner.tick(6);
   auto cells = *map.cells;
   for (std::size_t row = 50; row < 70; ++row) {
     for (std::size_t column = 100; column < 104; ++column)
@@ -356,7 +386,7 @@ TEST(Replanner, PlansFromWhereTheVehicleIs) {
   Replanner replanner(scenario);
   for (double t = 0; t < 6; t += tick_period) (void)replanner.tick(t);
   const Pose here{12, 3, 0.2};
-  const ReplanAnswer& answer = replanner.tick(6, {here, 1.0, 0.0});
+  const ReplanAnswer answer = replanner.tick(6, {here, 1.0, 0.0});
   EXPECT_EQ(fault_of(answer, scenario, 6), "");
   EXPECT_EQ(pose_at(answer, scenario.vehicle, 6), here);
   EXPECT_TRUE(answer.reaches_goal);

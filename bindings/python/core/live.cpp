@@ -90,7 +90,7 @@ TickOutcome outcome_named(const std::string& word) {
 py::tuple answer_state(const Answered& self) {
   const ReplanAnswer& a = self.answer;
   return py::make_tuple(name_of(a.outcome), a.begin, answered_drive(self), a.start_speed,
-                        a.reaches_goal, a.is_safe, a.reason, self.vehicle);
+                        a.reaches_goal, a.is_safe, a.reason, self.vehicle, a.has_arrived);
 }
 
 Answered answer_from_state(const py::tuple& state) {
@@ -98,6 +98,7 @@ Answered answer_from_state(const py::tuple& state) {
                  .begin = state[1].cast<double>(),
                  .start_speed = state[3].cast<double>(),
                  .reaches_goal = state[4].cast<bool>(),
+                 .has_arrived = state[8].cast<bool>(),
                  .is_safe = state[5].cast<bool>(),
                  .reason = state[6].cast<std::string>()},
                 state[7].cast<Vehicle>()};
@@ -128,6 +129,9 @@ later.)");
   property(
       "reaches_goal", [](const ReplanAnswer& a) { return a.reaches_goal; },
       "Whether the drive ends at the goal; otherwise it stops on the way.");
+  property(
+      "has_arrived", [](const ReplanAnswer& a) { return a.has_arrived; },
+      "Whether the vehicle stands at the goal.");
   property(
       "is_safe", [](const ReplanAnswer& a) { return a.is_safe; },
       "Whether the rest of the drive touches no known obstacle, by the judge.");
