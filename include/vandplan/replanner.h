@@ -127,7 +127,7 @@ struct Action {
 /// first tick.
 [[nodiscard]] Action action_at(const ReplanAnswer& answer, const Vehicle& vehicle, double t);
 
-/// Plans again and again for one vehicle on its way to one goal. Equal calls give equal answers,
+/// Plans again and again for one vehicle on its way to a goal. Equal calls give equal answers,
 /// bit for bit. Not for several threads at once.
 class Replanner {
  public:
@@ -148,6 +148,15 @@ class Replanner {
   /// replanner's clock. Throws InputError naming "moving[2].outline" or another key; the obstacles
   /// then stay as they were.
   void set_moving(std::span<const MovingObstacle> moving);
+
+  /// Drives to another goal from now on, in the scenario's frame, with straight wheels there. The
+  /// drive stays as it is until a tick finds one to the new goal; a vehicle that stands at the end
+  /// of its drive plans once with the budget of the first plan. Throws InputError naming "goal" or
+  /// "goal.x"; the old goal then stays.
+  void set_goal(const Pose& goal);
+  /// Drives to any goal of a set from now on. Throws InputError naming "goal.any_of[2].heading" or
+  /// another key as `with_goal_set` does; the old goal then stays.
+  void set_goal(const std::vector<GoalRegion>& set);
 
   /// Plans at time `t` [s] for a vehicle that follows the last answer. The answer holds until the
   /// next tick. Throws InputError naming "t" for a time before the last tick; the answer then stays

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -122,10 +123,8 @@ class Replanner::Impl {
     const Task& task = problem_.task();
     scene_.vehicle = task.vehicle;
     scene_.planned = driving::with_reserve(task.vehicle, options.reserve);
-    scene_.goal = task.goal;
-    scene_.goal_curvature = task.curvatures.goal;
-    scene_.goal_set = task.goal_set;
     moving_ = task.moving;
+    take_goal();
     (void)complete(default_planner(), options_.plan, task.vehicle);
   }
 
@@ -137,6 +136,14 @@ class Replanner::Impl {
     moving_ = std::move(local);
     judged_.company = false;
   }
+
+  void set_goal(const Pose& goal) {
+    set_goal(make_problem(problem_.world(), problem_.vehicle(), problem_.start(), goal,
+                          {problem_.curvatures().start, 0.0},
+                          {problem_.hitch_angles().start, 0.0}));
+  }
+
+  void set_goal(const std::vector<GoalRegion>& set) { set_goal(with_goal_set(problem_, set)); }
 
   void tick(double t, const VehicleState* state) {
     base::require(std::isfinite(t), "t", t, "a time [s]");
@@ -166,7 +173,25 @@ class Replanner::Impl {
   [[nodiscard]] const ReplanAnswer& answer() const noexcept { return out_; }
 
  private:
-  [[nodiscard]] WorkLimit limit(std::int64_t iterations) const {
+  void set_goal(Problem problem) {
+    const auto goal_of = [](const Task& task) {
+      return std::tie(task.goal, task.curvatures.goal, task.hitch_angles.goal, task.goal_set);
+    };
+    if (goal_of(problem.task()) == goal_of(problem_.task())) return;
+    problem_ = std::move(problem);
+    take_goal();
+    has_new_goal_ = true;
+    next_look_ = 0;
+  }
+
+  void take_goal() {
+    const Task& task = problem_.task();
+    scene_.goal = task.goal;
+    scene_.goal_curvature = task.curvatures.goal;
+    scene_.goal_set = task.goal_set;
+  }
+
+  [[nodiscard]] Effort effort(std::int64_t iterations) const {
     return {iterations, options_.tick_states,
             stream_seed(options_.plan.budget.seed, static_cast<std::uint64_t>(ticks_))};
   }
@@ -194,6 +219,7 @@ class Replanner::Impl {
 
   void take(double t, NewDrive way, const Motion& now) {
     judged_ = {true, true, true};
+    if (way.reaches_goal) has_new_goal_ = false;
     set({.outcome = way.outcome,
          .begin = t,
          .drive = std::make_shared<const TimedPath>(std::move(way.drive)),
@@ -206,14 +232,19 @@ class Replanner::Impl {
   void begin(double t) {
     const Task& task = problem_.task();
     const Motion now{.pose = task.start, .curvature = task.curvatures.start};
-    WorkLimit first = limit(options_.plan.budget.max_iterations.value_or(first_iterations));
+    if (!plan_from_standing(t, now)) stop_or_brake(t, {standing_at(task.start), now});
+  }
+
+  /// Takes a drive that a vehicle which stands finds with the budget of the first plan.
+  bool plan_from_standing(double t, const Motion& now) {
+    has_new_goal_ = false;
+    Effort first = effort(options_.plan.budget.max_iterations.value_or(first_iterations));
     first.seed = options_.plan.budget.seed;
     first.states = std::max<std::int64_t>(first.states, 200'000);
-    Ways ways(scene_, options_.plan);
-    if (auto way = ways.from_standing(task.start, task.curvatures.start, first)) {
-      if (judged(*way, now, margin()).is_good()) return take(t, *std::move(way), now);
-    }
-    stop_or_brake(t, {standing_at(task.start), now});
+    auto way = Ways(scene_, options_.plan).from_standing(now.pose, now.curvature, first);
+    if (!way || !judged(*way, now, margin()).is_good()) return false;
+    take(t, *std::move(way), now);
+    return true;
   }
 
   [[nodiscard]] double margin() const { return options_.plan.clearance.margin; }
@@ -244,12 +275,17 @@ class Replanner::Impl {
 
   void go_on(double t) {
     const CutDrive rest = rest_of(*answer_.drive, scene_.vehicle, t - answer_.begin);
+    if (has_new_goal_) answer_.reaches_goal = judging_.of_path(rest, true).is_good();
+    out_.reaches_goal = answer_.reaches_goal;
     const Verdict verdict = judged_again(rest);
     if (verdict.is_good()) judged_ = {true, true, true};
     if (verdict.is_good() && answer_.reaches_goal) {
       next_look_ = 0;
+      has_new_goal_ = false;
       return improve(t, rest);
     }
+    const bool stands = rest.drive.speeds.duration == 0.0;
+    if (has_new_goal_ && stands && plan_from_standing(t, rest.begin)) return;
     if (look_on(t, rest, verdict)) return;
     if (verdict.is_good()) return keep();
     stop_or_brake(t, rest);
@@ -374,6 +410,7 @@ class Replanner::Impl {
   double last_t_ = -infinite;  // time of the last tick [s]
   std::size_t next_look_ = 0;  // index of the next look while a new drive is needed
   Judged judged_;              // checks that the answer's drive has passed
+  bool has_new_goal_ = false;  // whether no drive to the goal was looked for yet, or none was found
   bool has_news_ = false;      // whether ground or moving obstacles changed since the last tick
 };
 
@@ -385,6 +422,8 @@ Replanner& Replanner::operator=(Replanner&&) noexcept = default;
 
 void Replanner::patch(const WorldPatch& patch) { impl_->patch(patch); }
 void Replanner::set_moving(std::span<const MovingObstacle> moving) { impl_->set_moving(moving); }
+void Replanner::set_goal(const Pose& goal) { impl_->set_goal(goal); }
+void Replanner::set_goal(const std::vector<GoalRegion>& set) { impl_->set_goal(set); }
 ReplanAnswer Replanner::tick(double t) {
   impl_->tick(t, nullptr);
   return impl_->answer();

@@ -8,6 +8,8 @@
 
 #include "replanning/timed_path.h"
 #include "speed/moving_start.h"
+#include "support/numbers.h"
+#include "support/place_of_error.h"
 #include "support/problems.h"
 #include "vandplan/drive_check.h"
 #include "vandplan/input_error.h"
@@ -140,6 +142,83 @@ TEST(Replanner, HasNotArrivedWhereItStopsOnItsWay) {
   const ReplanAnswer stop = replanner.tick(6);
   ASSERT_EQ(stop.outcome, TickOutcome::stop);
   EXPECT_FALSE(replanner.tick(6 + stop.drive->speeds.duration).has_arrived);
+}
+
+TEST(Replanner, DrivesOnUntilItKnowsTheWayToANewGoal) {
+  Scenario scenario = lane();
+  Replanner replanner(scenario);
+  for (double t = 0; t < 6; t += tick_period) (void)replanner.tick(t);
+  const ReplanAnswer before = replanner.answer();
+  scenario.goal = {55, 12, 0};
+  replanner.set_goal(scenario.goal);
+  EXPECT_EQ(replanner.answer().drive, before.drive);
+  ReplanAnswer answer = replanner.tick(6);
+  double t = 6;
+  for (; !answer.reaches_goal && t < 10; answer = replanner.tick(t += tick_period)) {
+    EXPECT_EQ(answer.outcome, TickOutcome::kept);
+    EXPECT_EQ(answer.drive, before.drive);
+    EXPECT_TRUE(answer.is_safe);
+    EXPECT_EQ(answer.reason, "no drive to the goal was found");
+  }
+  EXPECT_TRUE(answer.reaches_goal);
+  EXPECT_EQ(answer.outcome, TickOutcome::new_way);
+  EXPECT_EQ(fault_of(answer, scenario, t), "");
+  EXPECT_NEAR(end_pose(answer.drive->path).y, 12, 1e-6);
+  EXPECT_NEAR(pose_at(answer, scenario.vehicle, t + 0.9).x,
+              pose_at(before, scenario.vehicle, t + 0.9).x, 1e-6);
+}
+
+TEST(Replanner, DrivesOnIfItsNewGoalCannotBeReached) {
+  Replanner replanner(lane());
+  const ReplanAnswer before = replanner.tick(0);
+  replanner.set_goal({40, 25.5, 0});  // in a wall
+  for (double t = 1; t < 2; t += tick_period) {
+    const ReplanAnswer answer = replanner.tick(t);
+    EXPECT_EQ(answer.outcome, TickOutcome::kept);
+    EXPECT_EQ(answer.drive, before.drive);
+    EXPECT_FALSE(answer.reaches_goal);
+    EXPECT_TRUE(answer.is_safe);
+    EXPECT_EQ(answer.reason.find("the goal cannot be reached: the footprint hits "), 0U)
+        << answer.reason;
+  }
+  replanner.set_goal(lane().goal);
+  EXPECT_TRUE(replanner.tick(2).reaches_goal);
+  EXPECT_EQ(replanner.answer().drive, before.drive);
+}
+
+TEST(Replanner, DrivesFromOneGoalToTheNext) {
+  Scenario scenario = lane();
+  scenario.obstacles.push_back(box(30, 3, 33, 24));
+  Replanner replanner(scenario);
+  const double end = replanner.tick(0).drive->speeds.duration;
+  ASSERT_TRUE(replanner.tick(end).has_arrived);
+  scenario.goal = {0, 12, 0.5};
+  replanner.set_goal(scenario.goal);
+  const ReplanAnswer answer = replanner.tick(end + 1);
+  EXPECT_TRUE(answer.reaches_goal);
+  EXPECT_FALSE(answer.has_arrived);
+  EXPECT_EQ(fault_of(answer, scenario, end + 1), "");
+  EXPECT_TRUE(replanner.tick(end + 1 + answer.drive->speeds.duration).has_arrived);
+}
+
+TEST(Replanner, KeepsItsDriveIfThatEndsInTheNewSet) {
+  const Scenario scenario = lane();
+  Replanner replanner(scenario);
+  const ReplanAnswer before = replanner.tick(0);
+  replanner.set_goal({{.x = {58, 62}, .y = {-1, 1}, .heading = {-0.1, 0.1}}});
+  const ReplanAnswer answer = replanner.tick(before.drive->speeds.duration - 1);
+  EXPECT_TRUE(answer.reaches_goal);
+  EXPECT_EQ(answer.drive, before.drive);
+}
+
+TEST(Replanner, RefusesAGoalThatIsNone) {
+  Replanner replanner(lane());
+  const ReplanAnswer before = replanner.tick(0);
+  EXPECT_EQ(place_of_error([&] { replanner.set_goal(Pose{nan, 0, 0}); }), "goal.x");
+  EXPECT_EQ(place_of_error([&] { replanner.set_goal(std::vector<GoalRegion>{}); }), "goal.any_of");
+  const ReplanAnswer after = replanner.tick(0.1);
+  EXPECT_EQ(after.drive, before.drive);
+  EXPECT_TRUE(after.reaches_goal);
 }
 
 TEST(Replanner, AnAnswerStaysAsItWas) {

@@ -213,6 +213,18 @@ void patch(OwnReplanner& self, const py::iterable& cells, const py::dict& added,
   self.alone([&] { self.replanner.patch(changes); });
 }
 
+void set_goal(OwnReplanner& self, const py::object& goal) {
+  const std::vector<GoalRegion> set = goal_set_from(goal);
+  const Pose pose = set.empty() ? pose_from(goal, "goal") : Pose{};
+  self.alone([&] {
+    if (set.empty()) {
+      self.replanner.set_goal(pose);
+    } else {
+      self.replanner.set_goal(set);
+    }
+  });
+}
+
 std::optional<VehicleState> vehicle_state(const py::object& pose, double v, double curvature) {
   if (pose.is_none()) return std::nullopt;
   const VehicleState state{pose_from(pose, "pose"), v, curvature};
@@ -277,6 +289,12 @@ numbers, `removed` numbers of polygons. The scenario's obstacles have the number
           "moving"_a, R"(set_moving(moving)
 
 Sets the `MovingObstacle` objects from now on, with times of the replanner's clock.)")
+      .def("set_goal", &set_goal, "goal"_a, R"(set_goal(goal)
+
+Drives to another goal from now on: a pose, a `GoalRegion` or a list of them.
+
+The drive stays as it is until a tick finds one to the new goal. A goal that is invalid raises
+InputError, and the old one stays.)")
       .def_property_readonly(
           "answer",
           [](const OwnReplanner& self) {
