@@ -589,7 +589,13 @@ class Replanner:
         **options: Unpack[_OptionsAndThreads],
     ) -> None: ...
     def tick(
-        self, t: float, pose: ArrayLike | None = None, *, v: float = 0.0, curvature: float = 0.0
+        self,
+        t: float,
+        pose: ArrayLike | None = None,
+        *,
+        v: float = 0.0,
+        curvature: float = 0.0,
+        time_limit: float | None = None,
     ) -> ReplanAnswer: ...
     def patch(
         self,

@@ -17,6 +17,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -108,6 +109,15 @@ struct ReplanAnswer {
   std::string reason = {};
 };
 
+/// Limit of the time of one tick. Answers of ticks without a limit repeat bit for bit.
+struct TickLimit {
+  /// Wall-clock time within which the tick answers [s]; >= 0; none: no limit. The search for better
+  /// drives ends 10 ms before, or after half of a shorter limit. The rest is left for the judge,
+  /// and for the search for a standstill if no drive was found: the nearest one is always tried.
+  std::optional<double> time_limit = {};
+  std::stop_token stop = {};  ///< when this is asked to stop, the tick answers as if time were over
+};
+
 /// Measured state of the vehicle.
 struct VehicleState {
   Pose pose = {};          ///< pose in the scenario's frame
@@ -159,16 +169,16 @@ class Replanner {
   void set_goal(const std::vector<GoalRegion>& set);
 
   /// Plans at time `t` [s] for a vehicle that follows the last answer. The answer holds until the
-  /// next tick. Throws InputError naming "t" for a time before the last tick; the answer then stays
-  /// as it was.
-  ReplanAnswer tick(double t);
+  /// next tick. Throws InputError naming "t" for a time before the last tick, or "time_limit"; the
+  /// answer then stays as it was.
+  ReplanAnswer tick(double t, const TickLimit& limit = {});
 
   /// Plans at time `t` [s] for a vehicle in that state. Beyond 0.5 m, 0.5 m/s or 10 degrees from
   /// the last answer the plan begins at the state, otherwise at the planned state. The first tick
   /// begins at the scenario's start and ignores the state. Throws InputError naming "t",
   /// "state.pose", "state.v" or "state.curvature" that is not finite or out of range; the answer
   /// then stays as it was.
-  ReplanAnswer tick(double t, const VehicleState& state);
+  ReplanAnswer tick(double t, const VehicleState& state, const TickLimit& limit = {});
 
   /// The answer of the last tick; it has no drive before the first one.
   [[nodiscard]] ReplanAnswer answer() const;

@@ -16,6 +16,7 @@
 #include "base/text.h"
 #include "drive/plant.h"
 #include "problem/moving.h"
+#include "replanning/checks.h"
 #include "replanning/judging.h"
 #include "replanning/known_ground.h"
 #include "replanning/ways.h"
@@ -33,43 +34,12 @@ constexpr std::int64_t urgent_share = 3;  // factor of `tick_iterations` if a dr
 constexpr double calm_share = 0.3;        // factor of `tick_iterations` if the drive is good
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr std::array looks = {Look::new_times, Look::from_stop, Look::without_stop, Look::around};
-constexpr double most_speed = 1000.0;  // largest speed that is accepted as a measurement [m/s]
-constexpr double off_place = 0.5;      // largest distance from the drive [m]
-constexpr double off_speed = 0.5;      // largest error of speed [m/s]
+constexpr double most_speed = 1000.0;    // largest speed that is accepted as a measurement [m/s]
+constexpr double left_for_judge = 0.01;  // part of a time limit that is kept from looks [s]
+constexpr double off_place = 0.5;        // largest distance from the drive [m]
+constexpr double off_speed = 0.5;        // largest error of speed [m/s]
 constexpr double off_heading = std::numbers::pi / 18;  // largest error of heading [rad]
 constexpr double still = 0.05;  // largest measured speed of a vehicle that stands [m/s]
-
-void check_options(const ReplanOptions& options) {
-  base::require(options.tick_iterations >= 0, "tick_iterations",
-                static_cast<double>(options.tick_iterations), "0 or more");
-  base::require(options.tick_states >= 1, "tick_states", static_cast<double>(options.tick_states),
-                "1 or more");
-  base::require(options.committed >= 0.0 && options.committed <= 60.0, "committed",
-                options.committed, "0 to 60 s");
-  base::require(options.better >= 0.0 && options.better <= 1.0, "better", options.better, "0 to 1");
-  base::require(options.reserve >= 0.01 && options.reserve <= 0.5, "reserve", options.reserve,
-                "0.01 to 0.5");
-}
-
-void check_vehicle_of(const Scenario& scenario) {
-  if (scenario.vehicle.trailer) {
-    throw InputError("vehicle.trailers", "are not honoured while planning anew, expected none");
-  }
-  if (scenario.vehicle.limits.max_jerk) {
-    throw InputError("vehicle.max_jerk", "is not honoured while planning anew, expected none");
-  }
-}
-
-void check_state(const VehicleState& state, const Pose& goal) {
-  try {
-    check_poses(state.pose, goal);
-  } catch (const InputError& error) {
-    throw InputError("state.pose", error.what());
-  }
-  base::require(std::abs(state.v) <= most_speed, "state.v", state.v, "-1000 to 1000 m/s");
-  base::require(std::isfinite(state.curvature), "state.curvature", state.curvature,
-                "a number [1/m]");
-}
 
 /// Checks that the current drive has passed; they hold for the rest of it.
 struct Judged {
@@ -145,8 +115,14 @@ class Replanner::Impl {
 
   void set_goal(const std::vector<GoalRegion>& set) { set_goal(with_goal_set(problem_, set)); }
 
-  void tick(double t, const VehicleState* state) {
+  void tick(double t, const VehicleState* state, const TickLimit& limit) {
     base::require(std::isfinite(t), "t", t, "a time [s]");
+    check_limit(limit);
+    const std::optional<double>& time = limit.time_limit;
+    const double most = time.value_or(0.0);
+    end_ = Deadline(time, limit.stop);
+    end_of_looks_ = Deadline(time ? std::optional(most - std::min(most / 2, left_for_judge)) : time,
+                             limit.stop);
     if (t < last_t_) {
       throw InputError("t", "is " + base::shortest_text(t) + " s, expected no less than " +
                                 base::shortest_text(last_t_) + " s, the time of the last tick");
@@ -241,7 +217,8 @@ class Replanner::Impl {
     Effort first = effort(options_.plan.budget.max_iterations.value_or(first_iterations));
     first.seed = options_.plan.budget.seed;
     first.states = std::max<std::int64_t>(first.states, 200'000);
-    auto way = Ways(scene_, options_.plan).from_standing(now.pose, now.curvature, first);
+    auto way =
+        Ways(scene_, options_.plan, end_of_looks_).from_standing(now.pose, now.curvature, first);
     if (!way || !judged(*way, now, margin()).is_good()) return false;
     take(t, *std::move(way), now);
     return true;
@@ -262,7 +239,7 @@ class Replanner::Impl {
     }
     const Motion now{
         .pose = pose, .curvature = state.curvature, .gear = gear_of(state.v), .v = state.v};
-    NewDrive way = Ways(scene_, options_.plan).braking({standing_at(pose), now});
+    NewDrive way = Ways(scene_, options_.plan, end_).braking({standing_at(pose), now});
     set({.outcome = TickOutcome::none,
          .begin = t,
          .drive = std::make_shared<const TimedPath>(std::move(way.drive)),
@@ -296,7 +273,7 @@ class Replanner::Impl {
   /// an obstacle is met within them. The second round drops them.
   bool look_on(double t, const CutDrive& rest, const Verdict& verdict) {
     if (verdict.met <= 0.0) return false;  // every drive meets that obstacle at once
-    Ways ways(scene_, options_.plan);
+    Ways ways(scene_, options_.plan, end_of_looks_);
     const bool stands = rest.drive.speeds.duration == 0.0;
     const double committed = stands || verdict.met < options_.committed ? 0.0 : options_.committed;
     const std::size_t rounds = verdict.is_good() || committed == 0.0 ? 1 : 2;
@@ -308,7 +285,7 @@ class Replanner::Impl {
       if (k % looks.size() == 0 && take_cheapest(t, found, rest.begin)) return true;
       each.states = options_.tick_states * urgent_share - ways.work().states;
       const bool is_enough = ways.work().iterations >= 2 * each.iterations || each.states <= 0;
-      if (i > 0 && is_enough) break;
+      if ((i > 0 && is_enough) || end_of_looks_.is_over()) break;
       ++next_look_;
       const Look look = looks[k % looks.size()];
       if (look == Look::around) {
@@ -340,7 +317,7 @@ class Replanner::Impl {
     if (options_.tick_iterations == 0 || rest.drive.speeds.duration <= 2 * options_.committed) {
       return keep();
     }
-    Ways ways(scene_, options_.plan);
+    Ways ways(scene_, options_.plan, end_of_looks_);
     Wish wish{.committed = options_.committed,
               .rest_reaches_goal = true,
               .most = ways.cost_of(rest.drive) * (1 - options_.better)};
@@ -352,7 +329,7 @@ class Replanner::Impl {
     std::vector<NewDrive> found;  // the cheapest last
     for (const Look look : looks) {
       if (look == Look::new_times && !has_news_) continue;
-      if (look == Look::around || look == not_now) continue;
+      if (look == Look::around || look == not_now || end_of_looks_.is_over()) continue;
       auto way = ways.to_goal(look, rest, wish, calm);
       if (!way || way->cost >= wish.most) continue;
       wish.most = way->cost;
@@ -368,11 +345,12 @@ class Replanner::Impl {
   }
 
   void stop_or_brake(double t, const CutDrive& rest) {
-    Ways ways(scene_, options_.plan);
+    const Deadline none;
+    Ways ways(scene_, options_.plan, none);
     std::string fault;
     for (const double kept : {margin(), 0.0}) {
-      for (int i = 0; i < Ways::stops; ++i) {
-        WorkLimit each = limit(0);
+      for (int i = 0; i == 0 || (i < Ways::stops && !end_.is_over()); ++i) {
+        Effort each = effort(0);
         each.states = std::max<std::int64_t>(each.states * urgent_share - ways.work().states, 0);
         auto way = ways.to_stop(i, rest, kept, each);
         if (!way) continue;
@@ -409,6 +387,8 @@ class Replanner::Impl {
   std::int64_t ticks_ = 0;
   double last_t_ = -infinite;  // time of the last tick [s]
   std::size_t next_look_ = 0;  // index of the next look while a new drive is needed
+  Deadline end_;               // time at which the tick must answer
+  Deadline end_of_looks_;      // time at which its looks for better drives end
   Judged judged_;              // checks that the answer's drive has passed
   bool has_new_goal_ = false;  // whether no drive to the goal was looked for yet, or none was found
   bool has_news_ = false;      // whether ground or moving obstacles changed since the last tick
@@ -424,12 +404,12 @@ void Replanner::patch(const WorldPatch& patch) { impl_->patch(patch); }
 void Replanner::set_moving(std::span<const MovingObstacle> moving) { impl_->set_moving(moving); }
 void Replanner::set_goal(const Pose& goal) { impl_->set_goal(goal); }
 void Replanner::set_goal(const std::vector<GoalRegion>& set) { impl_->set_goal(set); }
-ReplanAnswer Replanner::tick(double t) {
-  impl_->tick(t, nullptr);
+ReplanAnswer Replanner::tick(double t, const TickLimit& limit) {
+  impl_->tick(t, nullptr, limit);
   return impl_->answer();
 }
-ReplanAnswer Replanner::tick(double t, const VehicleState& state) {
-  impl_->tick(t, &state);
+ReplanAnswer Replanner::tick(double t, const VehicleState& state, const TickLimit& limit) {
+  impl_->tick(t, &state, limit);
   return impl_->answer();
 }
 ReplanAnswer Replanner::answer() const { return impl_->answer(); }

@@ -80,7 +80,8 @@ std::optional<TimedPath> Ways::timed(const Path& path, const Motion& begin, doub
                                 .start_curvature = begin.curvature,
                                 .start_speed = speed,
                                 .longest = longest,
-                                .most_states = limit.states};
+                                .most_states = effort.states,
+                                .is_interrupted = [this] { return deadline_.is_over(); }};
   moving::Yielding yielding = moving::yielding_speeds(path, scene_.planned, traffic);
   work_.states += yielding.states;
   if (!yielding.speeds) return std::nullopt;
@@ -101,7 +102,8 @@ std::optional<std::vector<Segment>> Ways::segments_to_goal(const Pose& pose, dou
     Problem problem = problem_from(scene_, scene_.planned, pose, curvature);
     if (t >= 0.0) problem = with_moving(std::move(problem), later(scene_.moving, t));
     const Planner& planner = default_planner();
-    const PlanOptions all = complete(planner, options, scene_.vehicle);
+    PlanOptions all = complete(planner, options, scene_.vehicle);
+    all.budget = deadline_.cut(all.budget);
     const Task task = task_of(problem, all.clearance, *all.steering);
     if (!task.checker->is_free(task.start)) return std::nullopt;
     if (!has_set && !task.checker->is_free(task.goal)) return std::nullopt;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "replanning/deadline.h"
 #include "replanning/timed_path.h"
 #include "vandplan/planner.h"
 #include "vandplan/replanner.h"
@@ -67,7 +68,9 @@ struct Wish {
 
 class Ways {
  public:
-  Ways(const Scene& scene, const PlanOptions& options) : scene_(scene), options_(options) {}
+  /// All are kept by reference.
+  Ways(const Scene& scene, const PlanOptions& options, const Deadline& deadline)
+      : scene_(scene), options_(options), deadline_(deadline) {}
 
   static constexpr int stops = 6;  ///< number of places along a path where a stop is tried
 
@@ -107,6 +110,7 @@ class Ways {
 
   const Scene& scene_;
   const PlanOptions& options_;
+  const Deadline& deadline_;  // end of all searches
   Work work_;
 };
 

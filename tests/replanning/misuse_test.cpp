@@ -81,6 +81,15 @@ TEST(Misuse, AReplannerRefusesTimesThatCannotBe) {
   EXPECT_EQ(replanner.tick(1.0).outcome, TickOutcome::kept);
 }
 
+TEST(Misuse, AReplannerRefusesLimitsThatCannotBe) {
+  Replanner replanner(open_ground());
+  for (const double limit : {-1.0, nan}) {
+    EXPECT_EQ(place_of_error([&] { (void)replanner.tick(0.0, {.time_limit = limit}); }),
+              "time_limit");
+  }
+  EXPECT_FALSE(replanner.answer().drive);
+}
+
 // One bad measurement, and the next tick goes on as if it had not been.
 TEST(Misuse, AReplannerForgetsStatesThatCannotBe) {
   Replanner replanner(open_ground());

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stop_token>
+#include <vector>
 
 #include "replanning/timed_path.h"
 #include "speed/moving_start.h"
@@ -166,6 +168,57 @@ TEST(Replanner, DrivesOnUntilItKnowsTheWayToANewGoal) {
   EXPECT_NEAR(end_pose(answer.drive->path).y, 12, 1e-6);
   EXPECT_NEAR(pose_at(answer, scenario.vehicle, t + 0.9).x,
               pose_at(before, scenario.vehicle, t + 0.9).x, 1e-6);
+}
+
+/// Limits of a tick that has no time left.
+std::vector<TickLimit> no_time() {
+  std::stop_source source;
+  source.request_stop();
+  return {{.time_limit = 0.0}, {.stop = source.get_token()}};
+}
+
+TEST(Replanner, StopsSafelyIfThereIsNoTimeToLookForAWay) {
+  for (const TickLimit& limit : no_time()) {
+    Scenario scenario = lane();
+    Replanner replanner(scenario);
+    for (double t = 0; t < 6; t += tick_period) (void)replanner.tick(t);
+    scenario.obstacles.push_back(box(30, -4, 33, 4));
+    replanner.patch({.added = {{7, scenario.obstacles.back()}}});
+    const ReplanAnswer answer = replanner.tick(6, limit);
+    EXPECT_EQ(answer.outcome, TickOutcome::stop);
+    EXPECT_TRUE(answer.is_safe) << answer.reason;
+    EXPECT_EQ(fault_of(answer, scenario, 6), "");
+    EXPECT_EQ(replanner.tick(6.1).outcome, TickOutcome::new_way);
+  }
+}
+
+TEST(Replanner, KeepsItsDriveAndFindsNoFirstOneWithoutTime) {
+  for (const TickLimit& limit : no_time()) {
+    Replanner replanner(lane());
+    const ReplanAnswer first = replanner.tick(0, limit);
+    EXPECT_EQ(first.outcome, TickOutcome::stop);
+    EXPECT_TRUE(first.is_safe);
+    const ReplanAnswer second = replanner.tick(0.1, {.time_limit = 1000.0});
+    EXPECT_EQ(second.outcome, TickOutcome::new_way);
+    replanner.patch({.removed = {0}});
+    const ReplanAnswer third = replanner.tick(0.2, VehicleState{}, limit);
+    EXPECT_EQ(third.outcome, TickOutcome::kept);
+    EXPECT_EQ(third.drive, second.drive);
+  }
+}
+
+TEST(Replanner, SearchesAllTheSameWithATokenThatNobodyUses) {
+  const auto driven = [](const TickLimit& limit) {
+    Replanner replanner(lane());
+    std::vector<Pose> poses;
+    for (double t = 0; t < 8; t += tick_period) {
+      if (std::abs(t - 4) < 1e-9) replanner.patch({.added = {{7, box(30, -4, 33, 4)}}});
+      poses.push_back(pose_at(replanner.tick(t, limit), lane().vehicle, t + 5));
+    }
+    return poses;
+  };
+  const std::stop_source source;
+  EXPECT_EQ(driven({}), driven({.stop = source.get_token()}));
 }
 
 TEST(Replanner, DrivesOnIfItsNewGoalCannotBeReached) {

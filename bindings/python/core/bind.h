@@ -21,6 +21,7 @@ void bind_own_planner(pybind11::module_& module);
 void bind_planning(pybind11::module_& module);
 void bind_speed(pybind11::module_& module);
 void bind_driving(pybind11::module_& module);
+void bind_replan(pybind11::module_& module);
 void bind_live(pybind11::module_& module);
 void bind_evaluation(pybind11::module_& module);
 /// Adds methods to classes of the other parts.

@@ -65,6 +65,7 @@ PYBIND11_MODULE(_core, module) {
   own::bind_planning(module);
   own::bind_speed(module);
   own::bind_driving(module);
+  own::bind_replan(module);
   own::bind_live(module);
   own::bind_evaluation(module);
   own::bind_protocols(module);

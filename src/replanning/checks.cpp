@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "replanning/checks.h"
+
+#include <cmath>
+
+#include "base/require.h"
+#include "vandplan/input_error.h"
+
+namespace vandplan::replanning {
+namespace {
+
+constexpr double most_speed = 1000.0;  // largest speed that is accepted as a measurement [m/s]
+
+}  // namespace
+
+void check_options(const ReplanOptions& options) {
+  base::require(options.tick_iterations >= 0, "tick_iterations",
+                static_cast<double>(options.tick_iterations), "0 or more");
+  base::require(options.tick_states >= 1, "tick_states", static_cast<double>(options.tick_states),
+                "1 or more");
+  base::require(options.committed >= 0.0 && options.committed <= 60.0, "committed",
+                options.committed, "0 to 60 s");
+  base::require(options.better >= 0.0 && options.better <= 1.0, "better", options.better, "0 to 1");
+  base::require(options.reserve >= 0.01 && options.reserve <= 0.5, "reserve", options.reserve,
+                "0.01 to 0.5");
+}
+
+void check_vehicle_of(const Scenario& scenario) {
+  if (scenario.vehicle.trailer) {
+    throw InputError("vehicle.trailers", "are not honoured while planning anew, expected none");
+  }
+  if (scenario.vehicle.limits.max_jerk) {
+    throw InputError("vehicle.max_jerk", "is not honoured while planning anew, expected none");
+  }
+}
+
+void check_state(const VehicleState& state, const Pose& goal) {
+  try {
+    check_poses(state.pose, goal);
+  } catch (const InputError& error) {
+    throw InputError("state.pose", error.what());
+  }
+  base::require(std::abs(state.v) <= most_speed, "state.v", state.v, "-1000 to 1000 m/s");
+  base::require(std::isfinite(state.curvature), "state.curvature", state.curvature,
+                "a number [1/m]");
+}
+
+void check_limit(const TickLimit& limit) {
+  if (!limit.time_limit) return;
+  base::require(*limit.time_limit >= 0.0, "time_limit", *limit.time_limit, "0 s or more");
+}
+
+}  // namespace vandplan::replanning

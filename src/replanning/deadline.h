@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// When must a tick answer?
+
+#include <algorithm>
+#include <optional>
+#include <stop_token>
+
+#include "vandplan/search.h"
+
+namespace vandplan::replanning {
+
+/// End of a search, at a time or when the caller asks for it. It begins when it is made.
+class Deadline {
+ public:
+  /// `time_limit` is in seconds; none: no limit.
+  explicit Deadline(std::optional<double> time_limit = {}, const std::stop_token& stop = {})
+      : options_{.time_limit = time_limit, .stop = stop}, budget_(options_) {}
+
+  [[nodiscard]] bool is_over() const { return budget_.is_interrupted(); }
+
+  /// The budget of a planner, cut so that the planner ends in time.
+  [[nodiscard]] BudgetOptions cut(BudgetOptions budget) const {
+    if (options_.stop.stop_possible()) budget.stop = options_.stop;
+    if (!options_.time_limit) return budget;
+    const double left = std::max(*options_.time_limit - budget_.elapsed(), 0.0);
+    budget.time_limit = std::min(budget.time_limit.value_or(left), left);
+    budget.processor_time = false;
+    return budget;
+  }
+
+ private:
+  BudgetOptions options_;
+  search::Budget budget_;
+};
+
+}  // namespace vandplan::replanning
