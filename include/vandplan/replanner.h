@@ -96,8 +96,9 @@ struct ReplanAnswer {
   /// The drive in the scenario's frame. At time `begin + t` the vehicle is where the drive is at t.
   /// It ends in a standstill.
   std::shared_ptr<const TimedPath> drive = {};
-  double start_speed = 0.0;   ///< speed with which the drive begins [m/s]; never negative
-  bool reaches_goal = false;  ///< whether the drive ends at the goal, not on the way
+  double start_speed = 0.0;        ///< speed with which the drive begins [m/s]; never negative
+  double start_hitch_angle = 0.0;  ///< hitch angle with which it begins [rad]; 0 without a trailer
+  bool reaches_goal = false;       ///< whether the drive ends at the goal, not on the way
   /// Whether the vehicle stands at the goal: the drive reaches it and is over, and the measured
   /// speed, if there is one, is at most 0.05 m/s.
   bool has_arrived = false;
@@ -123,6 +124,8 @@ struct VehicleState {
   Pose pose = {};          ///< pose in the scenario's frame
   double v = 0.0;          ///< speed [m/s]; negative in reverse
   double curvature = 0.0;  ///< curvature of the wheels [1/m]
+  /// Hitch angle [rad]; [-pi, pi]. None: that of the last answer. Ignored without a trailer.
+  std::optional<double> hitch_angle = {};
 };
 
 /// A steering command and a speed for one time.
@@ -142,8 +145,8 @@ struct Action {
 class Replanner {
  public:
   /// Begins with a scenario, whose moving obstacles are known from the start. Throws InputError
-  /// naming the key of the scenario or the option that is wrong. It names "vehicle.trailers" or
-  /// "vehicle.max_jerk" if the vehicle has one: neither is honoured.
+  /// naming the key of the scenario or the option that is wrong. It names "vehicle.max_jerk" if the
+  /// vehicle has one, which is not honoured.
   explicit Replanner(const Scenario& scenario, const ReplanOptions& options = {});
   ~Replanner();
   Replanner(Replanner&&) noexcept;
@@ -159,10 +162,10 @@ class Replanner {
   /// then stay as they were.
   void set_moving(std::span<const MovingObstacle> moving);
 
-  /// Drives to another goal from now on, in the scenario's frame, with straight wheels there. The
-  /// drive stays as it is until a tick finds one to the new goal; a vehicle that stands at the end
-  /// of its drive plans once with the budget of the first plan. Throws InputError naming "goal" or
-  /// "goal.x"; the old goal then stays.
+  /// Drives to another goal from now on, in the scenario's frame, with straight wheels and trailer
+  /// there. The drive stays as it is until a tick finds one to the new goal; a vehicle that stands
+  /// at the end of its drive plans once with the budget of the first plan. Throws InputError naming
+  /// "goal" or "goal.x"; the old goal then stays.
   void set_goal(const Pose& goal);
   /// Drives to any goal of a set from now on. Throws InputError naming "goal.any_of[2].heading" or
   /// another key as `with_goal_set` does; the old goal then stays.
@@ -176,8 +179,8 @@ class Replanner {
   /// Plans at time `t` [s] for a vehicle in that state. Beyond 0.5 m, 0.5 m/s or 10 degrees from
   /// the last answer the plan begins at the state, otherwise at the planned state. The first tick
   /// begins at the scenario's start and ignores the state. Throws InputError naming "t",
-  /// "state.pose", "state.v" or "state.curvature" that is not finite or out of range; the answer
-  /// then stays as it was.
+  /// "state.pose", "state.v", "state.curvature" or "state.hitch_angle" that is not finite or out of
+  /// range; the answer then stays as it was.
   ReplanAnswer tick(double t, const VehicleState& state, const TickLimit& limit = {});
 
   /// The answer of the last tick; it has no drive before the first one.

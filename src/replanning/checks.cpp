@@ -3,6 +3,7 @@
 #include "replanning/checks.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "base/require.h"
 #include "vandplan/input_error.h"
@@ -27,9 +28,6 @@ void check_options(const ReplanOptions& options) {
 }
 
 void check_vehicle_of(const Scenario& scenario) {
-  if (scenario.vehicle.trailer) {
-    throw InputError("vehicle.trailers", "are not honoured while planning anew, expected none");
-  }
   if (scenario.vehicle.limits.max_jerk) {
     throw InputError("vehicle.max_jerk", "is not honoured while planning anew, expected none");
   }
@@ -44,6 +42,8 @@ void check_state(const VehicleState& state, const Pose& goal) {
   base::require(std::abs(state.v) <= most_speed, "state.v", state.v, "-1000 to 1000 m/s");
   base::require(std::isfinite(state.curvature), "state.curvature", state.curvature,
                 "a number [1/m]");
+  const double angle = state.hitch_angle.value_or(0.0);
+  base::require(std::abs(angle) <= std::numbers::pi, "state.hitch_angle", angle, "-pi to pi");
 }
 
 void check_limit(const TickLimit& limit) {

@@ -53,12 +53,13 @@ const LiveDriveOptions& checked(const LiveDriveOptions& options) {
   return options;
 }
 
-const Controller& controller_of(const DriveOptions& options) {
+const Controller& controller_of(const DriveOptions& options, const Vehicle& vehicle) {
   const Controller& controller =
-      controller_named(options.controller.empty() ? usual_controller({}) : options.controller);
-  if (!controller.info.drives_reverse) {
-    throw InputError("controller",
-                     options.controller + " drives forward only, expected one for both gears");
+      controller_named(options.controller.empty() ? usual_controller(vehicle) : options.controller);
+  const bool is_rig = vehicle.trailer.has_value();
+  if (!(is_rig ? controller.info.steers_trailer : controller.info.drives_reverse)) {
+    throw InputError("controller", options.controller + (is_rig ? " drives a trailer" : " drives") +
+                                       " forward only, expected one for both gears");
   }
   return controller;
 }
@@ -109,16 +110,18 @@ class LiveDrive {
       : scenario_(scenario),
         options_(checked(options)),
         on_action_(on_action),
-        controller_(controller_of(options.drive)),
+        controller_(controller_of(options.drive, scenario.vehicle)),
         truth_(make_problem(scenario)),
         vehicle_(with_spare(scenario.vehicle, options.drive.spare_steering)),
         replanner_(options.sensor_range ? unseen(scenario) : scenario, replan_options(options)),
         rng_(options.drive.seed),
         error_(actuator_error(options.drive.noise, rng_)),
-        watch_(truth_),
+        watch_(truth_, options.drive.spare_steering),
         track_(scenario.start) {
     if (options.sensor_range) sensor_.emplace(scenario, *options.sensor_range);
-    state_.pose = pose_ = truth_.task().start;
+    real_ = {truth_.task().start, truth_.hitch_angles().start};
+    state_.pose = real_.pose;
+    state_.hitch_angle = real_.hitch_angle;
     state_.steering_angle = steering_angle(vehicle_, truth_.curvatures().start);
     const double periods = std::ceil(options.drive.delay / control_period - 1e-9);
     under_way_.assign(static_cast<std::size_t>(periods),
@@ -127,7 +130,7 @@ class LiveDrive {
 
   LiveDriveResult run() {
     const auto ticks = static_cast<std::int64_t>(std::round(options_.period / control_period));
-    look(pose_, {}, pose_);
+    look(real_, {}, real_);
     for (std::int64_t i = 0; t_ < options_.longest; ++i) {
       correct_estimate();
       if (i % ticks == 0) tick();
@@ -149,15 +152,19 @@ class LiveDrive {
 
   void correct_estimate() {
     if (options_.drive.noise == 0.0) return;
-    const Pose seen = measured(pose_, options_.drive.noise, rng_);
+    const Pose seen = measured(real_.pose, options_.drive.noise, rng_);
     Pose& pose = state_.pose;
     pose.x += correction * (seen.x - pose.x);
     pose.y += correction * (seen.y - pose.y);
     pose.heading = wrap_angle(pose.heading + correction * wrap_angle(seen.heading - pose.heading));
+    if (!vehicle_.trailer) return;
+    const double angle = measured_hitch_angle(real_.hitch_angle, options_.drive.noise, rng_);
+    state_.hitch_angle =
+        wrap_angle(state_.hitch_angle + correction * wrap_angle(angle - state_.hitch_angle));
   }
 
   void tick() {
-    const Pose real = in_scenario(pose_);
+    const Pose real = in_scenario(real_.pose);
     if (sensor_) {
       const WorldPatch seen = sensor_->look(real);
       if (!seen.is_empty()) replanner_.patch(seen);
@@ -165,7 +172,7 @@ class LiveDrive {
     replanner_.set_moving(predicted(scenario_.moving, real, t_, options_));
     const auto [sin, cos] = base::sin_cos(state_.steering_angle);
     const VehicleState state{in_scenario(state_.pose), state_.direction * state_.v,
-                             sin / cos / vehicle_.wheelbase};
+                             sin / cos / vehicle_.wheelbase, state_.hitch_angle};
     answer_ = replanner_.tick(t_, state);
     ++result_.ticks;
     if (!answer_.is_safe) ++result_.ticks_without_answer;
@@ -176,6 +183,17 @@ class LiveDrive {
     drive_ = answer_.drive;
     const Path local{to_local(*truth_.world(), drive_->path.start), drive_->path.segments};
     strokes_ = strokes_of(local, drive_->speeds);
+    if (vehicle_.trailer) tow();
+  }
+
+  /// Computes the planned hitch angles along all strokes.
+  void tow() {
+    towing_.clear();
+    double hitch_angle = answer_.start_hitch_angle;
+    for (const Stroke& stroke : strokes_) {
+      towing_.emplace_back(stroke, vehicle_, hitch_angle);
+      hitch_angle = towing_.back().hitch_angle_at(stroke.length());
+    }
   }
 
   /// Reports the actions of the current control period.
@@ -206,7 +224,8 @@ class LiveDrive {
     const std::size_t i = stroke_at(wanted.s);
     const Stroke& stroke = strokes_[i];
     offset_ = stroke.offset_of(state.pose, wanted.s - stroke.begin());
-    const Sight sight{stroke, vehicle_, state, offset_, 0.0};
+    const Towing* const towing = towing_.empty() ? nullptr : &towing_[i];
+    const Sight sight{stroke, vehicle_, state, offset_, 0.0, towing};
     // 1. Speed of the drive at that time, plus a gain times the distance behind.
     const double behind = wanted.s - stroke.begin() - offset_.place.s - state.v * control_period;
     const double v = std::max(std::abs(wanted.v) + catch_up * behind, 0.0);
@@ -225,9 +244,9 @@ class LiveDrive {
     return command;
   }
 
-  void look(const Pose& from, const Segment& arc, const Pose& to) {
-    if (auto what = watch_.look({from}, arc, {to})) {
-      result_.contact = Contact{t_, place_, in_scenario(to), *std::move(what)};
+  void look(const State& from, const Segment& arc, const State& to) {
+    if (auto what = watch_.look(from, arc, to)) {
+      result_.contact = Contact{t_, place_, in_scenario(to.pose), *std::move(what)};
     }
   }
 
@@ -241,9 +260,9 @@ class LiveDrive {
       t_ += step_duration;
       if (moved.length == 0.0) continue;
       move_on(state_, moved, vehicle_);
-      const Pose from = pose_;
-      pose_ = advance(from, arc);
-      look(from, arc, pose_);
+      const State from = real_;
+      real_ = advance(vehicle_, from, arc);
+      look(from, arc, real_);
     }
     if (was_moving && state_.v == 0.0) ++result_.stops;
   }
@@ -255,23 +274,26 @@ class LiveDrive {
 
   void log(const Command& wanted) {
     if (!options_.drive.keep_log) return;
+    const auto hitch_angle =
+        vehicle_.trailer ? std::optional(real_.hitch_angle) : std::optional<double>();
     result_.log.push_back({.t = t_,
                            .s = place_,
-                           .pose = in_scenario(pose_),
+                           .pose = in_scenario(real_.pose),
                            .gear = gear_of(state_.direction),
                            .v = state_.direction * state_.v + 0.0,
                            .steering_angle = state_.steering_angle,
                            .wanted_steering = wanted.steering_angle,
                            .wanted_acceleration = wanted.acceleration,
                            .lateral_error = offset_.lateral,
-                           .heading_error = offset_.heading});
+                           .heading_error = offset_.heading,
+                           .hitch_angle = hitch_angle});
   }
 
   LiveDriveResult finished() {
     result_.has_arrived = has_arrived();
     if (result_.has_arrived && result_.stops > 0) --result_.stops;
     result_.duration = t_;
-    const Pose end = relative(goal(), pose_);
+    const Pose end = relative(goal(), real_.pose);
     result_.end_distance = std::hypot(end.x, end.y);
     result_.end_heading = std::abs(end.heading);
     result_.clearance = watch_.clearance();
@@ -308,8 +330,9 @@ class LiveDrive {
   std::shared_ptr<const TimedPath> drive_;  // its drive
   std::vector<Stroke> strokes_;             // strokes of the drive, in the world's frame
   std::deque<Command> under_way_;           // commands that are decided, but not yet executed
-  MovingState state_;                       // state with the estimated pose
-  Pose pose_;                               // true pose, in the world's frame
+  std::vector<Towing> towing_;              // trailer along each stroke; empty without a trailer
+  MovingState state_;                       // state with the estimated pose and hitch angle
+  State real_;                              // true pose and hitch angle, in the world's frame
   Offset offset_;
   double place_ = 0.0;  // place along the drive [m]
   double t_ = 0.0;

@@ -34,7 +34,6 @@ constexpr std::int64_t urgent_share = 3;  // factor of `tick_iterations` if a dr
 constexpr double calm_share = 0.3;        // factor of `tick_iterations` if the drive is good
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr std::array looks = {Look::new_times, Look::from_stop, Look::without_stop, Look::around};
-constexpr double most_speed = 1000.0;    // largest speed that is accepted as a measurement [m/s]
 constexpr double left_for_judge = 0.01;  // part of a time limit that is kept from looks [s]
 constexpr double off_place = 0.5;        // largest distance from the drive [m]
 constexpr double off_speed = 0.5;        // largest error of speed [m/s]
@@ -60,29 +59,6 @@ ReplanAnswer in_frame(const ReplanAnswer& local, const Point& origin) {
 }
 
 }  // namespace
-
-std::string_view name_of(TickOutcome outcome) noexcept {
-  switch (outcome) {
-    case TickOutcome::kept:
-      return "kept";
-    case TickOutcome::new_times:
-      return "new_times";
-    case TickOutcome::new_way:
-      return "new_way";
-    case TickOutcome::stop:
-      return "stop";
-    case TickOutcome::none:
-      break;
-  }
-  return "none";
-}
-
-Action action_at(const ReplanAnswer& answer, const Vehicle& vehicle, double t) {
-  if (!answer.drive) throw InputError("answer", "holds no drive, expected that of a tick");
-  const Motion motion =
-      motion_at(answer.drive->path, vehicle, answer.drive->speeds, t - answer.begin);
-  return {t, motion.steering_angle, motion.v, motion.a};
-}
 
 class Replanner::Impl {
  public:
@@ -164,15 +140,16 @@ class Replanner::Impl {
     const Task& task = problem_.task();
     scene_.goal = task.goal;
     scene_.goal_curvature = task.curvatures.goal;
+    scene_.goal_hitch_angle = task.hitch_angles.goal;
     scene_.goal_set = task.goal_set;
   }
 
-  [[nodiscard]] Effort effort(std::int64_t iterations) const {
+  [[nodiscard]] WorkLimit limit(std::int64_t iterations) const {
     return {iterations, options_.tick_states,
             stream_seed(options_.plan.budget.seed, static_cast<std::uint64_t>(ticks_))};
   }
 
-  [[nodiscard]] Verdict judged(const NewDrive& way, const Motion& now, double margin) const {
+  [[nodiscard]] Verdict judged(const NewDrive& way, const RigMotion& now, double margin) const {
     return judging_.of_drive({way.drive, now}, way.reaches_goal, margin);
   }
 
@@ -193,13 +170,14 @@ class Replanner::Impl {
     out_ = in_frame(answer_, ground_.origin());
   }
 
-  void take(double t, NewDrive way, const Motion& now) {
+  void take(double t, NewDrive way, const RigMotion& now) {
     judged_ = {true, true, true};
     if (way.reaches_goal) has_new_goal_ = false;
     set({.outcome = way.outcome,
          .begin = t,
          .drive = std::make_shared<const TimedPath>(std::move(way.drive)),
          .start_speed = std::abs(now.v),
+         .start_hitch_angle = now.hitch_angle,
          .reaches_goal = way.reaches_goal,
          .is_safe = true,
          .reason = way.reaches_goal ? "" : judging_.reason_of_no_way()});
@@ -207,18 +185,18 @@ class Replanner::Impl {
 
   void begin(double t) {
     const Task& task = problem_.task();
-    const Motion now{.pose = task.start, .curvature = task.curvatures.start};
+    const RigMotion now{{.pose = task.start, .curvature = task.curvatures.start},
+                        task.hitch_angles.start};
     if (!plan_from_standing(t, now)) stop_or_brake(t, {standing_at(task.start), now});
   }
 
   /// Takes a drive that a vehicle which stands finds with the budget of the first plan.
-  bool plan_from_standing(double t, const Motion& now) {
+  bool plan_from_standing(double t, const RigMotion& now) {
     has_new_goal_ = false;
-    Effort first = effort(options_.plan.budget.max_iterations.value_or(first_iterations));
+    WorkLimit first = limit(options_.plan.budget.max_iterations.value_or(first_iterations));
     first.seed = options_.plan.budget.seed;
     first.states = std::max<std::int64_t>(first.states, 200'000);
-    auto way =
-        Ways(scene_, options_.plan, end_of_looks_).from_standing(now.pose, now.curvature, first);
+    auto way = Ways(scene_, options_.plan, end_of_looks_).from_standing(now, first);
     if (!way || !judged(*way, now, margin()).is_good()) return false;
     take(t, *std::move(way), now);
     return true;
@@ -228,30 +206,39 @@ class Replanner::Impl {
 
   /// Replaces the drive by unchecked braking if the vehicle is too far from the planned state.
   void catch_up(double t, const VehicleState& state) {
-    const Motion planned =
-        motion_at(answer_.drive->path, scene_.vehicle, answer_.drive->speeds, t - answer_.begin);
+    const RigMotion planned = rest_at(t).begin;
+    const double hitch_angle = state.hitch_angle.value_or(planned.hitch_angle);
+    const bool is_folded =
+        scene_.vehicle.trailer && std::abs(hitch_angle - planned.hitch_angle) > off_heading;
     const Pose pose = {state.pose.x - ground_.origin().x, state.pose.y - ground_.origin().y,
                        state.pose.heading};
     const Pose off = relative(planned.pose, pose);
     if (std::hypot(off.x, off.y) <= off_place && std::abs(off.heading) <= off_heading &&
-        std::abs(state.v - planned.v) <= off_speed) {
+        std::abs(state.v - planned.v) <= off_speed && !is_folded) {
       return;
     }
-    const Motion now{
-        .pose = pose, .curvature = state.curvature, .gear = gear_of(state.v), .v = state.v};
+    const RigMotion now{
+        {.pose = pose, .curvature = state.curvature, .gear = gear_of(state.v), .v = state.v},
+        scene_.vehicle.trailer ? hitch_angle : 0.0};
     NewDrive way = Ways(scene_, options_.plan, end_).braking({standing_at(pose), now});
     set({.outcome = TickOutcome::none,
          .begin = t,
          .drive = std::make_shared<const TimedPath>(std::move(way.drive)),
          .start_speed = std::abs(state.v),
+         .start_hitch_angle = now.hitch_angle,
          .reaches_goal = false,
          .is_safe = false,
          .reason = "the vehicle is not where it should be"});
     judged_ = {};
   }
 
+  /// Rest of the current drive from time `t` on [s].
+  [[nodiscard]] CutDrive rest_at(double t) const {
+    return rest_of(*answer_.drive, scene_.vehicle, t - answer_.begin, answer_.start_hitch_angle);
+  }
+
   void go_on(double t) {
-    const CutDrive rest = rest_of(*answer_.drive, scene_.vehicle, t - answer_.begin);
+    const CutDrive rest = rest_at(t);
     if (has_new_goal_) answer_.reaches_goal = judging_.of_path(rest, true).is_good();
     out_.reaches_goal = answer_.reaches_goal;
     const Verdict verdict = judged_again(rest);
@@ -303,7 +290,7 @@ class Replanner::Impl {
   }
 
   /// Takes the last candidate that the judge accepts, and removes the later ones.
-  bool take_cheapest(double t, std::vector<NewDrive>& found, const Motion& now) {
+  bool take_cheapest(double t, std::vector<NewDrive>& found, const RigMotion& now) {
     for (; !found.empty(); found.pop_back()) {
       if (!judged(found.back(), now, margin()).is_good()) continue;
       take(t, std::move(found.back()), now);
@@ -350,7 +337,7 @@ class Replanner::Impl {
     std::string fault;
     for (const double kept : {margin(), 0.0}) {
       for (int i = 0; i == 0 || (i < Ways::stops && !end_.is_over()); ++i) {
-        Effort each = effort(0);
+        WorkLimit each = limit(0);
         each.states = std::max<std::int64_t>(each.states * urgent_share - ways.work().states, 0);
         auto way = ways.to_stop(i, rest, kept, each);
         if (!way) continue;

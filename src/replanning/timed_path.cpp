@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vandplan/rig.h"
+
 namespace vandplan::replanning {
 namespace {
 
@@ -49,11 +51,21 @@ TimedPath standing_at(const Pose& pose) {
   return drive;
 }
 
-CutDrive rest_of(const TimedPath& drive, const Vehicle& vehicle, double t) {
+double hitch_angle_after(const Vehicle& vehicle, double angle, std::span<const Segment> segments) {
+  if (!vehicle.trailer) return angle;
+  for (const Segment& segment : segments) {
+    angle = vandplan::hitch_angle_after(vehicle, angle, segment);
+  }
+  return angle;
+}
+
+CutDrive rest_of(const TimedPath& drive, const Vehicle& vehicle, double t, double hitch_angle) {
   const SpeedProfile& speeds = drive.speeds;
   t = std::clamp(t, 0.0, speeds.duration);
-  CutDrive rest{{{}, {}}, motion_at(drive.path, vehicle, speeds, t)};
+  CutDrive rest{{{}, {}}, {motion_at(drive.path, vehicle, speeds, t)}};
   const double s = rest.begin.s;
+  rest.begin.hitch_angle =
+      hitch_angle_after(vehicle, hitch_angle, cut(drive.path.segments, 0.0, s));
   const double end = speeds.knots.back().s;
   rest.begin.t = 0.0;
   rest.begin.s = 0.0;

@@ -44,14 +44,24 @@ std::vector<MovingObstacle> later(std::vector<MovingObstacle> moving, double t) 
   return moving;
 }
 
-Problem problem_from(const Scene& scene, const Vehicle& vehicle, const Pose& pose,
-                     double curvature) {
+Problem problem_to(const Scene& scene, const Vehicle& vehicle, const RigMotion& from,
+                   const RigMotion& to) {
   const double sharpest = 1.0 / scene.vehicle.min_turning_radius;
-  const double now = std::clamp(curvature, -sharpest, sharpest);
-  if (scene.goal_set.empty()) {
-    return make_problem(scene.world, vehicle, pose, scene.goal, {now, scene.goal_curvature});
+  const double most = vehicle.max_hitch_angle;
+  return make_problem(
+      scene.world, vehicle, from.pose, to.pose,
+      {std::clamp(from.curvature, -sharpest, sharpest),
+       std::clamp(to.curvature, -sharpest, sharpest)},
+      {std::clamp(from.hitch_angle, -most, most), std::clamp(to.hitch_angle, -most, most)});
+}
+
+Problem problem_from(const Scene& scene, const Vehicle& vehicle, const RigMotion& from) {
+  if (!scene.goal_set.empty()) {
+    return with_goal_set(problem_to(scene, vehicle, from, from), scene.goal_set);
   }
-  return with_goal_set(make_problem(scene.world, vehicle, pose, pose, {now, now}), scene.goal_set);
+  const RigMotion goal{{.pose = scene.goal, .curvature = scene.goal_curvature},
+                       scene.goal_hitch_angle};
+  return problem_to(scene, vehicle, from, goal);
 }
 
 double Ways::braking_distance(double v) const {
@@ -68,8 +78,8 @@ double Ways::cost_of(const TimedPath& drive) const {
 }
 
 /// Speeds for a path that the vehicle begins `t` seconds from now; none if none are found.
-std::optional<TimedPath> Ways::timed(const Path& path, const Motion& begin, double t, double margin,
-                                     const WorkLimit& limit, double longest) {
+std::optional<TimedPath> Ways::timed(const Path& path, const RigMotion& begin, double t,
+                                     double margin, const WorkLimit& limit, double longest) {
   const double speed = standing_or(speed_of(begin));
   if (speed > 0.0 && !begins_in_gear(path.segments, begin.gear)) return std::nullopt;
   const std::vector<MovingObstacle> moving = later(scene_.moving, t);
@@ -78,9 +88,10 @@ std::optional<TimedPath> Ways::timed(const Path& path, const Motion& begin, doub
                                 // contains it.
                                 .margin = margin + t * largest_growth(moving),
                                 .start_curvature = begin.curvature,
+                                .start_hitch_angle = begin.hitch_angle,
                                 .start_speed = speed,
                                 .longest = longest,
-                                .most_states = effort.states,
+                                .most_states = limit.states,
                                 .is_interrupted = [this] { return deadline_.is_over(); }};
   moving::Yielding yielding = moving::yielding_speeds(path, scene_.planned, traffic);
   work_.states += yielding.states;
@@ -88,25 +99,27 @@ std::optional<TimedPath> Ways::timed(const Path& path, const Motion& begin, doub
   return TimedPath{path, *std::move(yielding.speeds)};
 }
 
-/// Path of the planner from standstill at a pose, `t` seconds from now; none if it finds none. The
+/// Path of the planner from standstill, `t` seconds from now; none if it finds none. The
 /// path is not judged: callers have the whole drive judged before they take it.
-std::optional<std::vector<Segment>> Ways::segments_to_goal(const Pose& pose, double curvature,
-                                                           double t, const PlanOptions& options,
+std::optional<std::vector<Segment>> Ways::segments_to_goal(const RigMotion& from, double t,
+                                                           const PlanOptions& options,
                                                            bool whole_drive) {
   const bool has_set = !scene_.goal_set.empty();
   const double radius = scene_.vehicle.min_turning_radius;
-  if (!has_set && reeds_shepp_length(pose, scene_.goal, radius) == 0.0) {
+  const bool is_folded_alike =
+      !scene_.vehicle.trailer || from.hitch_angle == scene_.goal_hitch_angle;
+  if (!has_set && is_folded_alike && reeds_shepp_length(from.pose, scene_.goal, radius) == 0.0) {
     return std::vector<Segment>{};
   }
   try {
-    Problem problem = problem_from(scene_, scene_.planned, pose, curvature);
+    Problem problem = problem_from(scene_, scene_.planned, from);
     if (t >= 0.0) problem = with_moving(std::move(problem), later(scene_.moving, t));
     const Planner& planner = default_planner();
     PlanOptions all = complete(planner, options, scene_.vehicle);
     all.budget = deadline_.cut(all.budget);
     const Task task = task_of(problem, all.clearance, *all.steering);
-    if (!task.checker->is_free(task.start)) return std::nullopt;
-    if (!has_set && !task.checker->is_free(task.goal)) return std::nullopt;
+    if (!task.checker->is_free(start_state(task))) return std::nullopt;
+    if (!has_set && !task.checker->is_free(goal_state(task))) return std::nullopt;
     const bool is_drive = whole_drive || !task.moving.empty();
     PlannerAnswer answer = is_drive ? in_time::plan(task, all) : planner.function(task, all);
     work_.iterations += answer.iterations;
@@ -117,16 +130,14 @@ std::optional<std::vector<Segment>> Ways::segments_to_goal(const Pose& pose, dou
   return std::nullopt;
 }
 
-std::optional<NewDrive> Ways::from_standing(const Pose& pose, double curvature,
-                                            const WorkLimit& limit) {
+std::optional<NewDrive> Ways::from_standing(const RigMotion& from, const WorkLimit& limit) {
   PlanOptions options = options_;
   options.budget.seed = limit.seed;
   if (!options.budget.time_limit) options.budget.max_iterations = limit.iterations;
-  auto segments = segments_to_goal(pose, curvature, 0.0, options, true);
+  auto segments = segments_to_goal(from, 0.0, options, true);
   if (!segments) return std::nullopt;
-  const Path path{pose, *std::move(segments)};
-  const Motion begin{.pose = pose, .curvature = curvature};
-  auto drive = timed(path, begin, 0.0, options_.clearance.margin, limit, endless);
+  const Path path{from.pose, *std::move(segments)};
+  auto drive = timed(path, from, 0.0, options_.clearance.margin, limit, endless);
   if (!drive) return std::nullopt;
   NewDrive way{*std::move(drive), TickOutcome::new_way, true};
   way.cost = cost_of(way.drive);
@@ -136,7 +147,7 @@ std::optional<NewDrive> Ways::from_standing(const Pose& pose, double curvature,
 /// Path that a look finds for a vehicle that begins it `t` seconds from now.
 std::optional<Path> Ways::path_of(Look look, const CutDrive& from, double t,
                                   const WorkLimit& limit) {
-  const Motion& begin = from.begin;
+  const RigMotion& begin = from.begin;
   if (look == Look::new_times) return from.drive.path;
   PlanOptions options = options_;
   options.budget.time_limit.reset();
@@ -144,8 +155,7 @@ std::optional<Path> Ways::path_of(Look look, const CutDrive& from, double t,
   options.budget.seed = limit.seed;
   const double speed = speed_of(begin);
   Path path{begin.pose, {}};
-  Pose root = begin.pose;
-  double curvature = begin.curvature;
+  RigMotion root = begin;
   double begins_at = -1.0;
   if (look == Look::without_stop) {
     // The path continues the current curvature and gear.
@@ -155,14 +165,15 @@ std::optional<Path> Ways::path_of(Look look, const CutDrive& from, double t,
     options.cost.initial_gear = reverses ? InitialGear::reverse : InitialGear::forward;
   } else if (speed > stands) {
     path.segments = cut(from.drive.path.segments, 0.0, braking_distance(speed) * (1 + 1e-6));
-    root = end_pose(path);
+    root.pose = end_pose(path);
+    root.hitch_angle = hitch_angle_after(scene_.vehicle, begin.hitch_angle, path.segments);
     if (!path.segments.empty()) {
       const Segment& last = path.segments.back();
-      curvature = curvature_at(last, std::abs(last.length));
+      root.curvature = curvature_at(last, std::abs(last.length));
     }
   }
   if (look == Look::around) begins_at = t + 2 * length(path.segments) / std::max(speed, stands);
-  const auto found = segments_to_goal(root, curvature, begins_at, options, limit.whole_drive);
+  const auto found = segments_to_goal(root, begins_at, options, limit.whole_drive);
   if (!found || found->empty()) return std::nullopt;
   path.segments.insert(path.segments.end(), found->begin(), found->end());
   return path;
@@ -176,11 +187,11 @@ std::optional<NewDrive> Ways::to_goal(Look look, const CutDrive& rest, const Wis
   }
   const double t = std::min(wish.committed, rest.drive.speeds.duration);
   const TimedPath prefix = before(rest.drive, scene_.vehicle, t);
-  const CutDrive after = rest_of(rest.drive, scene_.vehicle, t);
+  const CutDrive after = rest_of(rest.drive, scene_.vehicle, t, rest.begin.hitch_angle);
   const std::optional<Path> tail = path_of(look, after, t, limit);
   if (!tail) return std::nullopt;
   // The fastest speeds give a lower bound of the cost.
-  const Motion& begin = after.begin;
+  const RigMotion& begin = after.begin;
   const auto fastest =
       speed::profile_from(*tail, scene_.planned, {begin.curvature, standing_or(speed_of(begin))});
   if (!fastest) return std::nullopt;

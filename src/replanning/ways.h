@@ -23,6 +23,7 @@ struct Scene {
   Vehicle planned;  ///< vehicle with the limits of planned speeds, which leave a reserve
   Pose goal;
   double goal_curvature = 0.0;
+  double goal_hitch_angle = 0.0;
   /// Goals that replace `goal`; empty if `goal` is the only one.
   std::vector<GoalRegion> goal_set = {};
   std::vector<MovingObstacle> moving = {};  ///< moving obstacles; time 0 is now
@@ -74,8 +75,8 @@ class Ways {
 
   static constexpr int stops = 6;  ///< number of places along a path where a stop is tried
 
-  /// Drive from standstill at a pose to the goal; none if none is found.
-  [[nodiscard]] std::optional<NewDrive> from_standing(const Pose& pose, double curvature,
+  /// Drive from standstill to the goal; none if none is found.
+  [[nodiscard]] std::optional<NewDrive> from_standing(const RigMotion& from,
                                                       const WorkLimit& limit);
 
   /// Drive to the goal that equals `rest` for the committed seconds; none if the look finds none.
@@ -97,11 +98,11 @@ class Ways {
   [[nodiscard]] const Work& work() const noexcept { return work_; }
 
  private:
-  [[nodiscard]] std::optional<TimedPath> timed(const Path& path, const Motion& begin, double t,
+  [[nodiscard]] std::optional<TimedPath> timed(const Path& path, const RigMotion& begin, double t,
                                                double margin, const WorkLimit& limit,
                                                double longest);
-  [[nodiscard]] std::optional<std::vector<Segment>> segments_to_goal(const Pose& pose,
-                                                                     double curvature, double t,
+  [[nodiscard]] std::optional<std::vector<Segment>> segments_to_goal(const RigMotion& from,
+                                                                     double t,
                                                                      const PlanOptions& options,
                                                                      bool whole_drive);
   [[nodiscard]] std::optional<Path> path_of(Look look, const CutDrive& from, double t,
@@ -114,9 +115,14 @@ class Ways {
   Work work_;
 };
 
-/// Problem from a pose to the goals of a scene, without moving obstacles.
-[[nodiscard]] Problem problem_from(const Scene& scene, const Vehicle& vehicle, const Pose& pose,
-                                   double curvature);
+/// Problem from a place of a drive to the goals of a scene, without moving obstacles.
+[[nodiscard]] Problem problem_from(const Scene& scene, const Vehicle& vehicle,
+                                   const RigMotion& from);
+
+/// Problem from a place of a drive to one pose, with that curvature and hitch angle there. Numbers
+/// beyond what the vehicle can do are clamped: a measured state may be beyond it.
+[[nodiscard]] Problem problem_to(const Scene& scene, const Vehicle& vehicle, const RigMotion& from,
+                                 const RigMotion& to);
 
 /// Moving obstacles with the clock set forward by `t` seconds: time `t` becomes 0.
 [[nodiscard]] std::vector<MovingObstacle> later(std::vector<MovingObstacle> moving, double t);

@@ -22,7 +22,7 @@ Way::Way(const Path& path)
 }
 
 PathPoint Way::at(double s, bool is_next) const {
-  if (segments_.empty()) return {0.0, to_path(begins_.front().pose), 0.0, 1};
+  if (segments_.empty()) return {0.0, to_path(begins_.front().pose), 0.0, Gear::forward};
   const auto later = is_next ? std::ranges::upper_bound(begins_, s, {}, &Begin::s)
                              : std::ranges::lower_bound(begins_, s, {}, &Begin::s);
   const auto after = static_cast<std::size_t>(later - begins_.begin());
@@ -30,7 +30,7 @@ PathPoint Way::at(double s, bool is_next) const {
   const Segment& segment = segments_[i];
   const double driven = std::clamp(s - begins_[i].s, 0.0, std::abs(segment.length));
   return {s, to_path(advance(begins_[i].pose, part_of(segment, 0.0, driven))),
-          curvature_at(segment, driven), segment.length < 0.0 ? -1 : 1};
+          curvature_at(segment, driven), segment.gear()};
 }
 
 }  // namespace vandplan::speed

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "../support/problems.h"
+
 namespace vandplan {
 namespace {
 
@@ -15,10 +17,6 @@ using std::numbers::pi;
 constexpr Bounds wide{-100, 100, -100, 100};
 // x from -1 to 4, y from -1 to 1.
 constexpr Footprint body{.rear = 1, .front = 4, .half_width = 1};
-
-Polygon box(double x_min, double y_min, double x_max, double y_max) {
-  return {{x_min, y_min}, {x_max, y_min}, {x_max, y_max}, {x_min, y_max}};
-}
 
 CollisionChecker among(const std::vector<Polygon>& obstacles) { return {body, wide, obstacles}; }
 

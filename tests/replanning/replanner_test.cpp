@@ -5,14 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <stop_token>
-#include <vector>
 
 #include "replanning/timed_path.h"
 #include "speed/moving_start.h"
-#include "support/numbers.h"
-#include "support/place_of_error.h"
 #include "support/problems.h"
+#include "support/replans.h"
 #include "vandplan/drive_check.h"
 #include "vandplan/input_error.h"
 #include "vandplan/path_check.h"
@@ -23,42 +20,6 @@ namespace vandplan {
 namespace {
 
 using replanning::CutDrive;
-
-constexpr double tick_period = 0.1;  // [s]
-
-/// A lane of 60 m between two walls far apart.
-Scenario lane() {
-  Scenario scenario;
-  scenario.bounds = {-20, 80, -30, 30};
-  scenario.goal = {60, 0, 0};
-  scenario.obstacles = {{{-20, 25}, {80, 25}, {80, 26}, {-20, 26}},
-                        {{-20, -26}, {80, -26}, {80, -25}, {-20, -25}}};
-  return scenario;
-}
-
-CutDrive rest(const ReplanAnswer& answer, const Vehicle& vehicle, double t) {
-  return replanning::rest_of(*answer.drive, vehicle, t - answer.begin);
-}
-
-Pose pose_at(const ReplanAnswer& answer, const Vehicle& vehicle, double t) {
-  return motion_at(answer.drive->path, vehicle, answer.drive->speeds, t - answer.begin).pose;
-}
-
-/// What a judge says who knows nothing of replanning: why the rest of an answer is no good.
-std::string fault_of(const ReplanAnswer& answer, const Scenario& scenario, double t) {
-  const CutDrive left = rest(answer, scenario.vehicle, t);
-  Scenario now = scenario;
-  now.start = left.drive.path.start;
-  now.goal = answer.reaches_goal ? scenario.goal : end_pose(left.drive.path);
-  now.curvatures.start = left.begin.curvature;
-  for (MovingObstacle& obstacle : now.moving) {
-    for (TimedPose& row : obstacle.trajectory) row.t -= t;
-  }
-  const Problem problem = make_problem(now);
-  const PathCheck way = check_path(problem, left.drive.path);
-  if (!way.valid) return way.reason;
-  return check_drive(problem, left.drive, {.start_speed = std::abs(left.begin.v)}).reason;
-}
 
 MovingObstacle car(std::vector<TimedPose> trajectory, Afterwards after = Afterwards::leaves) {
   return {box(-1, -0.95, 3.5, 0.95), std::move(trajectory), after};
@@ -124,164 +85,6 @@ TEST(Replanner, KeepsItsMindInAWorldThatStays) {
   }
   const Pose last = pose_at(replanner.answer(), scenario.vehicle, end);
   EXPECT_NEAR(last.x, 60, 1e-5);
-}
-
-TEST(Replanner, SaysThatItHasArrived) {
-  const Scenario scenario = lane();
-  Replanner replanner(scenario);
-  const double end = replanner.tick(0).drive->speeds.duration;
-  EXPECT_FALSE(replanner.tick(end - 0.1).has_arrived);
-  EXPECT_TRUE(replanner.tick(end).has_arrived);
-  EXPECT_FALSE(replanner.tick(end, {.pose = scenario.goal, .v = 0.1}).has_arrived);
-  EXPECT_TRUE(replanner.tick(end + 1, {.pose = scenario.goal}).has_arrived);
-  EXPECT_TRUE(replanner.answer().has_arrived);
-}
-
-TEST(Replanner, HasNotArrivedWhereItStopsOnItsWay) {
-  Replanner replanner(lane());
-  for (double t = 0; t < 6; t += tick_period) (void)replanner.tick(t);
-  replanner.patch({.added = {{7, box(30, -28, 31, 28)}}});  // from wall to wall
-  const ReplanAnswer stop = replanner.tick(6);
-  ASSERT_EQ(stop.outcome, TickOutcome::stop);
-  EXPECT_FALSE(replanner.tick(6 + stop.drive->speeds.duration).has_arrived);
-}
-
-TEST(Replanner, DrivesOnUntilItKnowsTheWayToANewGoal) {
-  Scenario scenario = lane();
-  Replanner replanner(scenario);
-  for (double t = 0; t < 6; t += tick_period) (void)replanner.tick(t);
-  const ReplanAnswer before = replanner.answer();
-  scenario.goal = {55, 12, 0};
-  replanner.set_goal(scenario.goal);
-  EXPECT_EQ(replanner.answer().drive, before.drive);
-  ReplanAnswer answer = replanner.tick(6);
-  double t = 6;
-  for (; !answer.reaches_goal && t < 10; answer = replanner.tick(t += tick_period)) {
-    EXPECT_EQ(answer.outcome, TickOutcome::kept);
-    EXPECT_EQ(answer.drive, before.drive);
-    EXPECT_TRUE(answer.is_safe);
-    EXPECT_EQ(answer.reason, "no drive to the goal was found");
-  }
-  EXPECT_TRUE(answer.reaches_goal);
-  EXPECT_EQ(answer.outcome, TickOutcome::new_way);
-  EXPECT_EQ(fault_of(answer, scenario, t), "");
-  EXPECT_NEAR(end_pose(answer.drive->path).y, 12, 1e-6);
-  EXPECT_NEAR(pose_at(answer, scenario.vehicle, t + 0.9).x,
-              pose_at(before, scenario.vehicle, t + 0.9).x, 1e-6);
-}
-
-/// Limits of a tick that has no time left.
-std::vector<TickLimit> no_time() {
-  std::stop_source source;
-  source.request_stop();
-  return {{.time_limit = 0.0}, {.stop = source.get_token()}};
-}
-
-TEST(Replanner, StopsSafelyIfThereIsNoTimeToLookForAWay) {
-  for (const TickLimit& limit : no_time()) {
-    Scenario scenario = lane();
-    Replanner replanner(scenario);
-    for (double t = 0; t < 6; t += tick_period) (void)replanner.tick(t);
-    scenario.obstacles.push_back(box(30, -4, 33, 4));
-    replanner.patch({.added = {{7, scenario.obstacles.back()}}});
-    const ReplanAnswer answer = replanner.tick(6, limit);
-    EXPECT_EQ(answer.outcome, TickOutcome::stop);
-    EXPECT_TRUE(answer.is_safe) << answer.reason;
-    EXPECT_EQ(fault_of(answer, scenario, 6), "");
-    EXPECT_EQ(replanner.tick(6.1).outcome, TickOutcome::new_way);
-  }
-}
-
-TEST(Replanner, KeepsItsDriveAndFindsNoFirstOneWithoutTime) {
-  for (const TickLimit& limit : no_time()) {
-    Replanner replanner(lane());
-    const ReplanAnswer first = replanner.tick(0, limit);
-    EXPECT_EQ(first.outcome, TickOutcome::stop);
-    EXPECT_TRUE(first.is_safe);
-    const ReplanAnswer second = replanner.tick(0.1, {.time_limit = 1000.0});
-    EXPECT_EQ(second.outcome, TickOutcome::new_way);
-    replanner.patch({.removed = {0}});
-    const ReplanAnswer third = replanner.tick(0.2, VehicleState{}, limit);
-    EXPECT_EQ(third.outcome, TickOutcome::kept);
-    EXPECT_EQ(third.drive, second.drive);
-  }
-}
-
-TEST(Replanner, SearchesAllTheSameWithATokenThatNobodyUses) {
-  const auto driven = [](const TickLimit& limit) {
-    Replanner replanner(lane());
-    std::vector<Pose> poses;
-    for (double t = 0; t < 8; t += tick_period) {
-      if (std::abs(t - 4) < 1e-9) replanner.patch({.added = {{7, box(30, -4, 33, 4)}}});
-      poses.push_back(pose_at(replanner.tick(t, limit), lane().vehicle, t + 5));
-    }
-    return poses;
-  };
-  const std::stop_source source;
-  EXPECT_EQ(driven({}), driven({.stop = source.get_token()}));
-}
-
-TEST(Replanner, DrivesOnIfItsNewGoalCannotBeReached) {
-  Replanner replanner(lane());
-  const ReplanAnswer before = replanner.tick(0);
-  replanner.set_goal({40, 25.5, 0});  // in a wall
-  for (double t = 1; t < 2; t += tick_period) {
-    const ReplanAnswer answer = replanner.tick(t);
-    EXPECT_EQ(answer.outcome, TickOutcome::kept);
-    EXPECT_EQ(answer.drive, before.drive);
-    EXPECT_FALSE(answer.reaches_goal);
-    EXPECT_TRUE(answer.is_safe);
-    EXPECT_EQ(answer.reason.find("the goal cannot be reached: the footprint hits "), 0U)
-        << answer.reason;
-  }
-  replanner.set_goal(lane().goal);
-  EXPECT_TRUE(replanner.tick(2).reaches_goal);
-  EXPECT_EQ(replanner.answer().drive, before.drive);
-}
-
-TEST(Replanner, DrivesFromOneGoalToTheNext) {
-  Scenario scenario = lane();
-  scenario.obstacles.push_back(box(30, 3, 33, 24));
-  Replanner replanner(scenario);
-  const double end = replanner.tick(0).drive->speeds.duration;
-  ASSERT_TRUE(replanner.tick(end).has_arrived);
-  scenario.goal = {0, 12, 0.5};
-  replanner.set_goal(scenario.goal);
-  const ReplanAnswer answer = replanner.tick(end + 1);
-  EXPECT_TRUE(answer.reaches_goal);
-  EXPECT_FALSE(answer.has_arrived);
-  EXPECT_EQ(fault_of(answer, scenario, end + 1), "");
-  EXPECT_TRUE(replanner.tick(end + 1 + answer.drive->speeds.duration).has_arrived);
-}
-
-TEST(Replanner, KeepsItsDriveIfThatEndsInTheNewSet) {
-  const Scenario scenario = lane();
-  Replanner replanner(scenario);
-  const ReplanAnswer before = replanner.tick(0);
-  replanner.set_goal({{.x = {58, 62}, .y = {-1, 1}, .heading = {-0.1, 0.1}}});
-  const ReplanAnswer answer = replanner.tick(before.drive->speeds.duration - 1);
-  EXPECT_TRUE(answer.reaches_goal);
-  EXPECT_EQ(answer.drive, before.drive);
-}
-
-TEST(Replanner, RefusesAGoalThatIsNone) {
-  Replanner replanner(lane());
-  const ReplanAnswer before = replanner.tick(0);
-  EXPECT_EQ(place_of_error([&] { replanner.set_goal(Pose{nan, 0, 0}); }), "goal.x");
-  EXPECT_EQ(place_of_error([&] { replanner.set_goal(std::vector<GoalRegion>{}); }), "goal.any_of");
-  const ReplanAnswer after = replanner.tick(0.1);
-  EXPECT_EQ(after.drive, before.drive);
-  EXPECT_TRUE(after.reaches_goal);
-}
-
-TEST(Replanner, AnAnswerStaysAsItWas) {
-  Replanner replanner(lane());
-  const ReplanAnswer first = replanner.tick(0);
-  replanner.patch({.added = {{7, box(30, -4, 33, 4)}}});
-  const ReplanAnswer second = replanner.tick(1);
-  EXPECT_EQ(first.begin, 0.0);
-  EXPECT_EQ(second.begin, 1.0);
-  EXPECT_NE(first.drive, second.drive);
 }
 
 TEST(Replanner, GoesRoundWhatComesUpAndKeepsTheNextSecond) {
