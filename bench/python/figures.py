@@ -96,7 +96,7 @@ def threads():
         wall, used = [], []
         for count in (1, 2):
             begin, begin_used = time.perf_counter(), processor_time()
-            vp.plan_many(yard, starts, yard.goal, threads=count, max_iterations=30)
+            vp.plan_many(yard, starts, yard.goal, jobs=count, max_iterations=30)
             wall.append(time.perf_counter() - begin)
             used.append(processor_time() - begin_used)
         ratios.append(wall[0] / wall[1])

@@ -34,7 +34,10 @@ class _Shape(Protocol):
 
 _Outline = Union[ArrayLike, _Shape]
 
-class _Options(TypedDict, total=False): ...
+class _OldNames(TypedDict, total=False):
+    time: float | None  # time_limit
+
+class _Options(_OldNames, total=False): ...
 
 class _OptionsAndThreads(_Options, total=False):
     threads: int
@@ -48,7 +51,7 @@ class Path:
     @property
     def start(self) -> _Floats: ...
     @property
-    def end(self) -> _Floats: ...
+    def end_pose(self) -> _Floats: ...
     @property
     def segments(self) -> _Floats: ...
     @property
@@ -56,12 +59,16 @@ class Path:
     @property
     def gear_changes(self) -> int: ...
     def poses(self, step: float = 0.1) -> _Floats: ...
-    def samples(self, step: float = 0.1) -> dict[str, NDArray[Any]]: ...
+    def sampled(self, step: float = 0.1) -> dict[str, NDArray[Any]]: ...
     def pose_at(self, s: ArrayLike) -> _Floats: ...
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]: ...
     @property
     def __geo_interface__(self) -> dict[str, Any]: ...
     def _repr_html_(self) -> str: ...
+    # Old names, which warn.
+    @property
+    def end(self) -> _Floats: ...
+    def samples(self, step: float = 0.1) -> dict[str, NDArray[Any]]: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
 
@@ -174,7 +181,8 @@ class GoalRegion:
         either_way: bool = False,
         curvature: float = 0,
         hitch_angle: _Range = 0,
-        of_trailer: bool = False,
+        is_of_trailer: bool = False,
+        of_trailer: bool | None = None,  # old name
     ) -> None: ...
     @property
     def x(self) -> _Range | None: ...
@@ -191,7 +199,9 @@ class GoalRegion:
     @property
     def hitch_angle(self) -> _Range: ...
     @property
-    def of_trailer(self) -> bool: ...
+    def is_of_trailer(self) -> bool: ...
+    @property
+    def of_trailer(self) -> bool: ...  # old name, which warns
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
 
@@ -233,7 +243,7 @@ class Scenario:
         bounds: Sequence[float] | _Floats | None = None,
         obstacles: Iterable[_Outline] | _Shape = ...,
         kerbs: Iterable[_Outline] | _Shape = ...,
-        grid: OccupancyGrid | ArrayLike | None = None,
+        map: OccupancyGrid | ArrayLike | None = None,
         resolution: float | None = None,
         origin: ArrayLike | None = None,
         vehicle: Vehicle | str | Mapping[str, Any] | None = None,
@@ -245,6 +255,7 @@ class Scenario:
         options: Mapping[str, _Option] = ...,
         moving: Sequence[MovingObstacle] = (),
         inside: Iterable[_Outline] | _Shape = ...,
+        grid: OccupancyGrid | ArrayLike | None = None,  # old name
     ) -> None: ...
     def with_poses(
         self,
@@ -283,7 +294,9 @@ class Scenario:
     @property
     def inside(self) -> list[Polygon]: ...
     @property
-    def grid(self) -> OccupancyGrid | None: ...
+    def map(self) -> OccupancyGrid | None: ...
+    @property
+    def grid(self) -> OccupancyGrid | None: ...  # old name, which warns
     @property
     def moving(self) -> list[MovingObstacle]: ...
     @property
@@ -352,13 +365,13 @@ class Result:
     @property
     def speeds(self) -> SpeedProfile | None: ...
     @property
-    def bound(self) -> float: ...
+    def lower_bound(self) -> float | None: ...
     @property
     def gap(self) -> float | None: ...
     @property
-    def trace(self) -> _Floats: ...
+    def anytime(self) -> _Floats: ...
     @property
-    def time(self) -> float: ...
+    def time_total(self) -> float: ...
     @property
     def iterations(self) -> int: ...
     @property
@@ -379,6 +392,13 @@ class Result:
     def __bool__(self) -> bool: ...
     def _repr_html_(self) -> str: ...
     def _repr_png_(self) -> bytes: ...
+    # Old names, which warn.
+    @property
+    def bound(self) -> float: ...
+    @property
+    def trace(self) -> _Floats: ...
+    @property
+    def time(self) -> float: ...
 
 class Answer:
     def __init__(
@@ -475,9 +495,12 @@ class SpeedProfile:
     def stops(self) -> list[dict[str, float]]: ...
     @property
     def knots(self) -> dict[str, Any]: ...
+    def sampled(self, step: float = 0.05) -> dict[str, NDArray[Any]]: ...
+    def motion_at(self, t: ArrayLike) -> dict[str, NDArray[Any]]: ...
+    def _repr_html_(self) -> str: ...
+    # Old names, which warn.
     def motions(self, step: float = 0.05) -> dict[str, NDArray[Any]]: ...
     def at(self, t: ArrayLike) -> dict[str, NDArray[Any]]: ...
-    def _repr_html_(self) -> str: ...
 
 class Contact:
     @property
@@ -583,7 +606,7 @@ class Replanner:
         committed: float = 1.0,
         better: float = 0.1,
         reserve: float = 0.1,
-        time: float | None = None,
+        time_limit: float | None = None,
         max_iterations: int | None = None,
         seed: int = 1,
         **options: Unpack[_OptionsAndThreads],
@@ -725,7 +748,7 @@ def plan(
     scenario: Scenario,
     planner: str | _Function = "anytime",
     *,
-    time: float | None = None,
+    time_limit: float | None = None,
     max_iterations: int | None = None,
     seed: int = 1,
     on_interrupt: Literal["raise", "return"] = "raise",
@@ -736,7 +759,7 @@ def plan(
     scenario: Scenario,
     planner: Planner,
     *,
-    time: float | None = None,
+    time_limit: float | None = None,
     max_iterations: int | None = None,
     seed: int = 1,
     on_interrupt: Literal["raise", "return"] = "raise",
@@ -749,11 +772,11 @@ def plan_many(
     goals: ArrayLike,
     planner: str | _Function = "anytime",
     *,
-    threads: int = 1,
-    time: float | None = None,
+    jobs: int = 1,
+    time_limit: float | None = None,
     max_iterations: int | None = None,
     seed: int = 1,
-    **options: Unpack[_Options],
+    **options: Unpack[_OptionsAndThreads],  # threads: old name of jobs
 ) -> list[Result]: ...
 @overload
 def plan_many(
@@ -762,8 +785,8 @@ def plan_many(
     goals: ArrayLike,
     planner: Planner,
     *,
-    threads: int = 1,
-    time: float | None = None,
+    jobs: int = 1,
+    time_limit: float | None = None,
     max_iterations: int | None = None,
     seed: int = 1,
     **options: _Option,
@@ -782,7 +805,7 @@ def smooth(
     path: Path | SpeedProfile | Result,
     *,
     method: Literal["optimised", "clothoids"] = "optimised",
-    time: float | None = None,
+    time_limit: float | None = None,
     max_iterations: int | None = None,
     seed: int = 1,
     **options: Unpack[_OptionsAndThreads],
@@ -838,7 +861,7 @@ def drive_live(
     on_action: Callable[[dict[str, float]], object] | None = None,
     seed: int = 1,
     keep_log: bool = False,
-    time: float | None = None,
+    time_limit: float | None = None,
     max_iterations: int | None = None,
     **options: Unpack[_OptionsAndThreads],
 ) -> LiveDriveResult: ...
@@ -851,7 +874,7 @@ def compare(
     *,
     repeats: int = 5,
     repeats_per_goal: int = 1,
-    time: float | None = None,
+    time_limit: float | None = None,
     max_iterations: int | None = None,
     seed: int = 1,
     regions: Sequence[Literal["bounds", "scene"]] = ...,
@@ -867,7 +890,7 @@ def compare(
     *,
     repeats: int = 5,
     repeats_per_goal: int = 1,
-    time: float | None = None,
+    time_limit: float | None = None,
     max_iterations: int | None = None,
     seed: int = 1,
     regions: Sequence[Literal["bounds", "scene"]] = ...,

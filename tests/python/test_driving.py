@@ -56,7 +56,7 @@ def test_a_replanner_plans_anew(street):
         replanner.answer.action_at(0)
     first = replanner.tick(0)
     assert first and first.outcome == "new_way" and first.reaches_goal
-    assert first.drive.path.end == pytest.approx(street.goal, abs=1e-6)
+    assert first.drive.path.end_pose == pytest.approx(street.goal, abs=1e-6)
     assert first.action_at(1)["v"] > 0
     assert replanner.tick(0.5).outcome == "kept"
     wall = [(30, -1), (31, -1), (31, 1), (30, 1)]
@@ -65,7 +65,7 @@ def test_a_replanner_plans_anew(street):
     assert around.is_safe and around.outcome in ("new_way", "stop")
     blocked = vp.Scenario(street.start, street.goal, bounds=street.bounds, obstacles=[wall])
     rest = around.drive.path
-    assert vp.check(blocked.with_poses(start=rest.start, goal=rest.end), rest)
+    assert vp.check(blocked.with_poses(start=rest.start, goal=rest.end_pose), rest)
     replanner.patch(removed=[7])
     replanner.set_moving([crossing_car(8)])
     moved = replanner.tick(1.5, pose=replanner.answer.drive.path.start, v=0)
@@ -78,7 +78,7 @@ def test_a_replanner_plans_anew(street):
 
 
 def test_cells_that_are_seen_are_patched():
-    scenario = vp.Scenario((5, 10, 0), (32, 10, 0), grid=np.zeros((100, 200), bool), resolution=0.2)
+    scenario = vp.Scenario((5, 10, 0), (32, 10, 0), map=np.zeros((100, 200), bool), resolution=0.2)
     replanner = vp.Replanner(scenario, max_iterations=500)
     first = replanner.tick(0)
     assert first.reaches_goal

@@ -20,7 +20,7 @@ def test_a_region_says_what_it_was_given():
     region = vp.GoalRegion((44, 46), 20, (1.4, 1.7), either_way=True, curvature=0.01)
     assert region.x == (44, 46) and region.y == 20 and region.heading == (1.4, 1.7)
     assert region.either_way and region.curvature == 0.01 and region.hitch_angle == 0
-    assert region.area is None and not region.of_trailer
+    assert region.area is None and not region.is_of_trailer
     assert region == vp.GoalRegion((44, 46), 20, (1.4, 1.7), either_way=True, curvature=0.01)
     assert region != vp.GoalRegion((44, 46), 20, 1.4) and region != 3
     area = vp.GoalRegion(area=[(40, 15), (50, 15), (50, 25)])
@@ -32,7 +32,7 @@ def test_the_path_ends_at_the_cheapest_goal():
     docks = [vp.GoalRegion(60, 20 + 4 * i, 0) for i in range(3)]
     result = vp.plan(scenario_to([*docks, vp.GoalRegion(30, (-1, 1))]), max_iterations=2000)
     assert result.goal.index == 3
-    assert np.allclose(result.goal.pose, result.path.end, atol=2e-6)
+    assert np.allclose(result.goal.pose, result.path.end_pose, atol=2e-6)
     assert result.check.goal == result.goal and result.goal != 3
     assert "3" in repr(result.goal)
     assert vp.check(result.scenario, result)
@@ -68,7 +68,7 @@ def test_files_hold_sets(tmp_path):
 
 
 def test_trailers_have_sets():
-    region = vp.GoalRegion((20, 25), 0, 0, hitch_angle=(-0.1, 0.1), of_trailer=True)
+    region = vp.GoalRegion((20, 25), 0, 0, hitch_angle=(-0.1, 0.1), is_of_trailer=True)
     result = vp.plan(scenario_to(region, vehicle="tractor-semitrailer"), max_iterations=2000)
     assert result and result.goal.index == 0 and result.check
 

@@ -93,7 +93,7 @@ def test_movers_are_made_in_python(street):
 
 def test_a_plan_waits_for_a_mover_that_was_made_in_python(street):
     alone = vp.speed_profile(street, vp.Path((0, 0, 0), [(0, 40)]))
-    then = float(np.interp(16, alone.motions(0.1)["s"], alone.motions(0.1)["t"]))
+    then = float(np.interp(16, alone.sampled(0.1)["s"], alone.sampled(0.1)["t"]))
     busy = street.with_moving([crossing_car(then)])
     meeting = vp.first_meeting(alone, busy.moving)
     assert meeting.obstacle == 0 and meeting.t == pytest.approx(then, abs=2)

@@ -50,7 +50,7 @@ def test_a_function_is_a_planner(yard):
     assert result.counters["nodes"] > 1
     poses, parents = result.tree
     assert len(poses) == len(parents) == result.counters["nodes"] and parents[0] == -1
-    assert result.trace[-1, 2] == pytest.approx(result.cost)
+    assert result.anytime[-1, 2] == pytest.approx(result.cost)
     assert result.path == vp.plan(yard, grow, max_iterations=3000).path
 
 
@@ -72,11 +72,11 @@ def test_a_task_far_away_answers_in_the_frame_of_the_scenario():
         assert task.connect(task.start, in_wall) is None
         assert np.array_equal(task.steer(task.start, in_wall).start, task.start)
         way = task.connect(task.start, task.goal)
-        assert way.end == pytest.approx(task.goal) and task.cost(way) == pytest.approx(20)
+        assert way.end_pose == pytest.approx(task.goal) and task.cost(way) == pytest.approx(20)
         return vp.Answer(way, tree=([task.start, task.goal], [-1, 0]))
 
     result = vp.plan(far, straight, max_iterations=1)
-    assert np.array_equal(result.path.start, far.start) and result.path.end == pytest.approx(far.goal)
+    assert np.array_equal(result.path.start, far.start) and result.path.end_pose == pytest.approx(far.goal)
     assert np.array_equal(result.tree[0], [far.start, far.goal])
 
 
@@ -155,7 +155,7 @@ def test_options_of_its_own(yard):
 
 
 def test_many_plans_of_a_planner_in_python(yard):
-    many = vp.plan_many(yard, [yard.start] * 4, yard.goal, grow, threads=2, max_iterations=3000)
+    many = vp.plan_many(yard, [yard.start] * 4, yard.goal, grow, jobs=2, max_iterations=3000)
     assert all(many) and len({result.cost for result in many}) == 1
 
 
@@ -163,7 +163,7 @@ def test_it_is_compared_with_ours(yard, tmp_path):
     mine = vp.Planner("mine", grow, options={"goal_share": (0.2, 0, 1)})
     cells = np.zeros((60, 80), dtype=bool)
     cells[25:35, 20:60] = True
-    park = vp.Scenario((5, 5, 0), (5, 25, 0), grid=cells, resolution=0.5, name="park")
+    park = vp.Scenario((5, 5, 0), (5, 25, 0), map=cells, resolution=0.5, name="park")
     told = []
     comparison = vp.compare(
         [yard, park],

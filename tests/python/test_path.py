@@ -23,7 +23,7 @@ def test_a_quarter_turn_and_back():
     path = vp.Path((1, 2, 0), [(0.1, 5 * math.pi), (0.0, -3.0)])
     assert path.length == pytest.approx(5 * math.pi + 3)
     assert path.gear_changes == 1
-    assert path.end == pytest.approx([11, 9, math.pi / 2])
+    assert path.end_pose == pytest.approx([11, 9, math.pi / 2])
     assert path.pose_at(5 * math.pi) == pytest.approx([11, 12, math.pi / 2])
     assert path.segments.shape == (2, 3)
     assert np.array_equal(path.start, [1, 2, 0])
@@ -42,7 +42,7 @@ def test_poses_at_many_distances():
 
 def test_samples_are_columns_of_the_poses():
     path = vp.Path((0, 0, 0), [(0.1, 2.0), (0.0, -1.0)])
-    samples = path.samples(0.5)
+    samples = path.sampled(0.5)
     assert set(samples) == {"s", "x", "y", "heading", "curvature", "direction"}
     together = np.column_stack([samples["x"], samples["y"], samples["heading"]])
     assert np.array_equal(together, path.poses(0.5))
@@ -58,8 +58,8 @@ def test_steering_ends_at_the_goal(start, goal, radius):
         vp.dubins(start, goal, radius),
         vp.continuous_path(start, goal, radius, 0.1, "throughout"),
     ):
-        assert math.dist(path.end[:2], goal[:2]) < 1e-6
-        assert turned_by(path.end[2], goal[2]) < 1e-6
+        assert math.dist(path.end_pose[:2], goal[:2]) < 1e-6
+        assert turned_by(path.end_pose[2], goal[2]) < 1e-6
     assert vp.reeds_shepp(start, goal, radius).length == pytest.approx(
         vp.reeds_shepp_length(start, goal, radius)
     )

@@ -21,13 +21,13 @@ import vandplan as vp
 def test_a_plan_in_one_call(yard):
     result = vp.plan(yard, max_iterations=3000)
     assert result.status == "solved" and result
-    assert result.path.end == pytest.approx(yard.goal, abs=1e-6)
+    assert result.path.end_pose == pytest.approx(yard.goal, abs=1e-6)
     assert result.cost >= result.path.length
-    assert 0 < result.bound <= result.cost
-    assert result.gap == pytest.approx(result.cost / result.bound - 1)
-    assert result.trace.shape[1] == 3
-    assert result.trace[-1, 2] == pytest.approx(result.cost)
-    assert np.all(np.diff(result.trace[:, 2]) < 0)
+    assert 0 < result.lower_bound <= result.cost
+    assert result.gap == pytest.approx(result.cost / result.lower_bound - 1)
+    assert result.anytime.shape[1] == 3
+    assert result.anytime[-1, 2] == pytest.approx(result.cost)
+    assert np.all(np.diff(result.anytime[:, 2]) < 0)
     assert result.iterations <= 3000
     assert result.counters["nodes"] > 0
     assert result.check.valid and result.check.clearance > 0
@@ -89,7 +89,7 @@ def test_options_of_the_scenario_hold_unless_others_are_given():
         ("anytime", {"margin": -1}, "margin: -1 is not a number from 0 to 1000"),
         ("anytime", {"marign": 1}, "marign: unknown option, did you mean margin"),
         ("rrt-opt-euc", {"reverse_weight": 3}, "reverse_weight: is no option of rrt-opt-euc"),
-        ("anytime", {"time": -1}, "time_limit"),
+        ("anytime", {"time_limit": -1}, "time_limit"),
         ("anytime", {"max_iterations": -1}, "max_iterations"),
         ("swift", {}, 'planner: "swift" is unknown'),
         (7, {}, "planner: expected a name"),
@@ -106,7 +106,7 @@ def test_no_path_has_a_reason(yard):
     assert stuck.status == "goal_in_collision" and not stuck
     assert "obstacles[0]" in stuck.reason
     assert stuck.path is None and stuck.cost is None and stuck.gap is None
-    assert stuck.trace.shape == (0, 3)
+    assert stuck.anytime.shape == (0, 3)
     with pytest.raises(vp.InputError, match="goal_in_collision"):
         vp.check(yard, stuck)
     walls = [(-10, -5), (10, -5), (10, -4), (-10, -4)], [(-10, 4), (10, 4), (10, 5), (-10, 5)]
@@ -149,7 +149,7 @@ def test_results_are_saved_and_read_back(yard, tmp_path):
 
 def test_many_plans_are_what_each_alone_is(yard, random_poses):
     starts = random_poses(12)
-    many = vp.plan_many(yard, starts, yard.goal, threads=2, max_iterations=50)
+    many = vp.plan_many(yard, starts, yard.goal, jobs=2, max_iterations=50)
     assert len(many) == 12
     for start, result in zip(starts, many):
         alone = vp.plan(yard.with_poses(start=start), max_iterations=50)
@@ -159,8 +159,8 @@ def test_many_plans_are_what_each_alone_is(yard, random_poses):
     assert vp.plan_many(yard, np.zeros((0, 3)), yard.goal) == []
     with pytest.raises(vp.InputError, match="fit together"):
         vp.plan_many(yard, starts, starts[:3])
-    with pytest.raises(vp.InputError, match="threads"):
-        vp.plan_many(yard, starts, starts, threads=0)
+    with pytest.raises(vp.InputError, match="jobs"):
+        vp.plan_many(yard, starts, starts, jobs=0)
 
 
 def test_a_plan_begins_with_a_path_that_was_good(yard):
@@ -234,10 +234,10 @@ def test_speeds_along_a_path(yard):
     result = vp.plan(yard, max_iterations=500)
     profile = vp.speed_profile(yard, result)
     assert profile.duration > result.path.length / 2.5
-    motions = profile.motions(0.1)
+    motions = profile.sampled(0.1)
     assert motions["t"][0] == 0 and motions["t"][-1] == pytest.approx(profile.duration)
     assert np.abs(motions["v"]).max() <= 2.5 + 1e-9
-    at = profile.at([0.0, profile.duration])
+    at = profile.motion_at([0.0, profile.duration])
     assert at["s"] == pytest.approx([0, result.path.length])
     slow = vp.speed_profile({"max_speed": (1, 1)}, result.path)
     assert slow.duration > profile.duration
@@ -262,14 +262,14 @@ def interrupt():
 threading.Thread(target=interrupt).start()
 try:
     if how == "many":
-        vp.plan_many(yard, [yard.start] * 50, yard.goal, time=600)
+        vp.plan_many(yard, [yard.start] * 50, yard.goal, time_limit=600)
     elif how == "own":
         def forever(task):
             while True:
                 task.is_free(task.start)
-        vp.plan(yard, forever, time=600)
+        vp.plan(yard, forever, time_limit=600)
     else:
-        result = vp.plan(yard, time=600, on_interrupt=how)
+        result = vp.plan(yard, time_limit=600, on_interrupt=how)
         print("returned", bool(result), result.path is not None)
 except KeyboardInterrupt:
     print("interrupted")
@@ -347,7 +347,7 @@ def test_what_is_in_the_way_is_a_field(yard, tmp_path):
     assert vp.check(blocked, vp.Path((0, 0, 0), [(0, 20, 0)])).hit == {"what": "obstacles", "index": 0}
     cells = np.zeros((20, 20), dtype=bool)
     cells[10, 17] = True
-    there = vp.Scenario(start=(4, 10.5, 0), goal=(14, 10.5, 0), grid=cells, resolution=1.0, vehicle="tpcap-car")
+    there = vp.Scenario(start=(4, 10.5, 0), goal=(14, 10.5, 0), map=cells, resolution=1.0, vehicle="tpcap-car")
     hit = vp.plan(there, max_iterations=10).hit
     assert hit["what"] == "map" and hit["cell"] == (17.5, 10.5)
     assert vp.plan(yard, max_iterations=500).hit is None

@@ -43,7 +43,7 @@ def test_a_turned_grid_lies_where_it_is():
     cells[:, 20] = 100
     cells[0, 0] = -1
     scenario = vp.Scenario(
-        (0, 2, 1.57), (0, 4, 1.57), grid=vp.OccupancyGrid(cells, 1.0, origin=(5, 0, np.pi / 2), unknown_is_free=True)
+        (0, 2, 1.57), (0, 4, 1.57), map=vp.OccupancyGrid(cells, 1.0, origin=(5, 0, np.pi / 2), unknown_is_free=True)
     )
     axes = vp.plot(scenario, vp.plan(scenario, "rrt-opt-euc", max_iterations=50, keep_tree=True))
     axes.figure.canvas.draw()

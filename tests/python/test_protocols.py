@@ -23,7 +23,7 @@ def test_a_path_is_an_array_of_its_poses():
     assert np.asarray(path, dtype=np.float32).dtype == np.float32
     with pytest.raises(ValueError, match="copy"):
         path.__array__(copy=False)
-    assert vp.reeds_shepp_length(path, path.end, 7)[-1] == pytest.approx(0, abs=1e-9)
+    assert vp.reeds_shepp_length(path, path.end_pose, 7)[-1] == pytest.approx(0, abs=1e-9)
 
 
 def polygons(yard):
@@ -95,10 +95,10 @@ def test_geopandas_makes_a_frame_of_a_scenario():
     scenario = vp.Scenario(
         (0, 0, 0), [vp.GoalRegion(9, 0), vp.GoalRegion(area=[(5, 5), (8, 5), (8, 8)])], bounds=(-9, 19, -9, 9),
         obstacles=[[(2, 4), (3, 4), (3, 5)]] * 2, kerbs=[[(-2, -4), (-3, -4), (-3, -5)]], inside=[[(-50, -50), (50, -50), (0, 90)]],
-        grid=np.zeros((4, 4), bool), resolution=1.0,
+        map=np.zeros((4, 4), bool), resolution=1.0,
     )
     frame = geopandas.GeoDataFrame.from_features(scenario)
-    assert list(frame.what) == ["bounds", "grid", "obstacles", "obstacles", "kerbs", "inside", "goal_set", "start", "goal"]
+    assert list(frame.what) == ["bounds", "map", "obstacles", "obstacles", "kerbs", "inside", "goal_set", "start", "goal"]
     assert list(frame["index"]) == [0, 0, 0, 1, 0, 0, 1, 0, 0]
     assert frame.total_bounds == pytest.approx([-50, -50, 50, 90])
     obstacles = frame[frame.what == "obstacles"].geometry
@@ -142,7 +142,7 @@ def test_a_footprint_is_where_the_vehicle_is():
     uses = [use.get("transform") for use in svg_of(path).iter(SVG + "use") if "vandplan-body" in use.get("href", "")]
     turned = f"{math.degrees(0.5):.2f}"
     assert uses[0] == f"translate(3.000,4.000) rotate({turned})"
-    end = path.end
+    end = path.end_pose
     assert uses[-1] == f"translate({end[0]:.3f},{end[1]:.3f}) rotate({turned})"
 
 

@@ -33,7 +33,7 @@ def test_a_scenario_holds_what_it_was_given():
     assert scenario.vehicle == vp.Vehicle.named("city-bus")
     assert scenario.goal_curvature == 0.01
     assert scenario.options == {"margin": "0.3"}
-    assert scenario.grid is None
+    assert scenario.map is None
     assert "mine" in repr(scenario)
 
 
@@ -100,11 +100,11 @@ def test_a_vehicle_may_have_an_outline_and_a_trailer():
         ({"options": {"seed": 2}}, "options.seed: is an option of the budget"),
         ({"start": (0, 0)}, "start: has the shape"),
         ({"goal": (float("inf"), 0, 0)}, "goal"),
-        ({"grid": np.zeros((4, 4), bool)}, "resolution: is missing"),
-        ({"grid": np.zeros((4, 4)), "resolution": 1}, "grid: is an array of float64"),
-        ({"grid": np.zeros(4, bool), "resolution": 1}, "2-D"),
-        ({"grid": np.zeros((4, 4), bool), "resolution": -1}, "map.resolution"),
-        ({"resolution": 1}, "grid: is missing"),
+        ({"map": np.zeros((4, 4), bool)}, "resolution: is missing"),
+        ({"map": np.zeros((4, 4)), "resolution": 1}, "map: is an array of float64"),
+        ({"map": np.zeros(4, bool), "resolution": 1}, "2-D"),
+        ({"map": np.zeros((4, 4), bool), "resolution": -1}, "map.resolution"),
+        ({"resolution": 1}, "map: is missing"),
     ],
 )
 def test_what_is_no_scenario_is_refused(change, message):
@@ -121,7 +121,7 @@ def test_a_grid_of_any_whole_numbers(kind):
     assert grid.shape == (20, 30)
     assert grid.cells[5, 7] == 100 and grid.cells.sum() == 100
     assert np.array_equal(grid.outline[2], [25, 30])
-    scenario = vp.Scenario((12, 22, 0), (20, 22, 0), grid=grid)
+    scenario = vp.Scenario((12, 22, 0), (20, 22, 0), map=grid)
     assert scenario.bounds == (10, 25, 20, 30)
 
 
@@ -136,7 +136,7 @@ def test_cells_of_ros_are_free_occupied_or_unknown():
 def test_rows_of_a_grid_count_upwards():
     cells = np.zeros((40, 40), dtype=bool)
     cells[30:, :] = True  # y from 15 m
-    truck = {"grid": cells, "resolution": 0.5}
+    truck = {"map": cells, "resolution": 0.5}
     low = vp.plan(vp.Scenario((5, 5, 0), (12, 5, 0), **truck), max_iterations=100)
     high = vp.plan(vp.Scenario((5, 18, 0), (12, 18, 0), **truck), max_iterations=100)
     assert low.status == "solved"
@@ -164,13 +164,13 @@ def test_a_scenario_with_a_grid_is_saved_and_read_back(tmp_path):
     cells[5:8, 7] = 100
     cells[0, 0] = -1
     scenario = vp.Scenario(
-        (5, 8, 0), (10, 8, 0), grid=cells, resolution=0.5, origin=(-1, -2, 0.1), options={"margin": 0.1}
+        (5, 8, 0), (10, 8, 0), map=cells, resolution=0.5, origin=(-1, -2, 0.1), options={"margin": 0.1}
     )
     scenario.save(tmp_path / "yard.yaml")
     again = vp.read_scenario(tmp_path / "yard.yaml")
-    assert np.array_equal(again.grid.cells, scenario.grid.cells)
+    assert np.array_equal(again.map.cells, scenario.map.cells)
     assert again.bounds == scenario.bounds
-    assert np.array_equal(again.grid.origin, scenario.grid.origin)
+    assert np.array_equal(again.map.origin, scenario.map.origin)
     assert again.options == {"margin": "0.1"}
 
 

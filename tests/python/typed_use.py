@@ -34,8 +34,8 @@ def wrong(task: vp.Task) -> str:
 def plans(folder: pathlib.Path) -> None:
     grid = vp.OccupancyGrid(np.zeros((40, 40), dtype=bool), 0.5)
     vehicle = vp.Vehicle(wheelbase=3.0, max_speed=(2.0, 1.0))
-    yard = vp.Scenario((5, 5, 0), (12, 5, 0), grid=grid, vehicle=vehicle, options={"margin": 0.1})
-    result = vp.plan(yard, time=0.1, style="shortest", threads=2)
+    yard = vp.Scenario((5, 5, 0), (12, 5, 0), map=grid, vehicle=vehicle, options={"margin": 0.1})
+    result = vp.plan(yard, time_limit=0.1, style="shortest", threads=2)
     if result.path is not None:
         poses: NDArray[np.float64] = result.path.poses(0.5)
         clearance: float | None = vp.check(yard, result).clearance
@@ -44,9 +44,9 @@ def plans(folder: pathlib.Path) -> None:
     vp.plan(yard, straight)
     vp.plan(yard, vp.Planner("straight", straight, options={"share": (0.2, 0, 1)}))
     vp.plan(yard, wrong)  # type: ignore[arg-type]
-    vp.plan(yard, time="soon")  # type: ignore[call-overload]
+    vp.plan(yard, time_limit="soon")  # type: ignore[call-overload]
     vp.Scenario((0, 0, 0), (1, 0, 0), bouns=(0, 1, 0, 1))  # type: ignore[call-arg]
-    for one in vp.plan_many(yard, [yard.start], yard.goal, threads=2):
+    for one in vp.plan_many(yard, [yard.start], yard.goal, jobs=2):
         one.save(folder / "r.json")
     runs = vp.compare([yard], ["anytime", straight], folder).runs()
     print(len(runs), vp.read_store(folder / "runs.sqlite"))
@@ -56,13 +56,16 @@ def plans(folder: pathlib.Path) -> None:
 def options(yard: vp.Scenario, planner: str) -> None:
     vp.plan(yard, margin=0.3, style="shortest", steering="continuous", gears="forward", cost="time", threads=2)
     vp.plan(yard, planner, estimate="choi", keep_tree=True, max_nodes=100, goal_bias=0.1)
+    vp.plan(yard, time=0.1)  # an old name
+    vp.plan_many(yard, [yard.start], yard.goal, threads=2)  # an old name
+    vp.plan(yard, time="soon")  # type: ignore[call-overload]
     vp.plan(yard, tme=3)  # type: ignore[call-overload]
     vp.plan(yard, style="foo")  # type: ignore[call-overload]
     vp.plan(yard, margin="wide")  # type: ignore[call-overload]
     vp.plan(yard, keep_tree="yes")  # type: ignore[call-overload]
     mine = vp.Planner("mine", straight, options={"share": 0.2})
     vp.plan(yard, mine, share=0.3)
-    vp.plan_many(yard, [yard.start], yard.goal, margin=0.3, threads=2)
+    vp.plan_many(yard, [yard.start], yard.goal, margin=0.3, jobs=2)
     vp.plan_many(yard, [yard.start], yard.goal, marign=0.3)  # type: ignore[call-overload]
     vp.smooth(yard, vp.plan(yard), margin=0.3)
     vp.smooth(yard, vp.plan(yard), tme=3)  # type: ignore[call-arg]

@@ -124,7 +124,8 @@ struct type_caster<vandplan::Pose> {
   }
 };
 
-/// Conversion of a place on a path to and from a dict of s, pose, curvature and direction.
+/// Conversion of a place on a path to and from a dict of s, pose, curvature and gear; `direction`
+/// is the gear as it was, 1 or -1.
 template <>
 struct type_caster<vandplan::PathPoint> {
   PYBIND11_TYPE_CASTER(vandplan::PathPoint, const_name("place"));
@@ -139,6 +140,7 @@ struct type_caster<vandplan::PathPoint> {
     values["s"] = place.s;
     values["pose"] = vandplan::python::array_of(place.pose);
     values["curvature"] = place.curvature;
+    values["gear"] = vandplan::name_of(place.gear);
     values["direction"] = vandplan::direction_of(place.gear);
     return values.release();
   }

@@ -103,7 +103,7 @@ void bind_path_check(py::module_& module) {
   check.field("valid", &Verdict::valid, "Whether the judge found no fault.")
       .field("reason", &Verdict::reason, "First fault; empty if valid.")
       .field("at", &Verdict::at,
-             "Place of the fault: a dict of s [m], pose, curvature [1/m] and direction; or None.")
+             "Place of the fault: a dict of s [m], pose, curvature [1/m] and gear; or None.")
       .field(
           "hit", &Verdict::hit,
           R"(Object that is hit, or area that is left, if that is the fault: a dict; otherwise None.

@@ -13,6 +13,7 @@
 #include "bindings/python/core/bind.h"
 #include "bindings/python/core/interrupt.h"
 #include "bindings/python/core/options.h"
+#include "bindings/python/core/renamed.h"
 #include "bindings/python/core/scenario.h"
 #include "bindings/python/core/value.h"
 
@@ -71,9 +72,11 @@ std::function<void(const evaluation::Progress&)> report_to(const py::object& pro
 
 Comparison compare(const py::iterable& scenarios, const py::iterable& planners,
                    const std::filesystem::path& folder, int repeats, int repeats_per_goal,
-                   std::optional<double> time, std::optional<std::int64_t> max_iterations,
+                   std::optional<double> time_limit, std::optional<std::int64_t> max_iterations,
                    std::uint64_t seed, const std::vector<std::string>& regions, int jobs,
-                   const py::object& progress, const py::kwargs& options) {
+                   const py::object& progress, std::optional<double> time,
+                   const py::kwargs& options) {
+  time_limit = renamed("time_limit", time_limit, "time", time);
   Campaign campaign{.scenarios = scenarios_from(scenarios),
                     .planners = planners_from(planners),
                     .regions = regions_from(regions),
@@ -81,7 +84,7 @@ Comparison compare(const py::iterable& scenarios, const py::iterable& planners,
                     .repeats_per_goal = repeats_per_goal,
                     .seed = seed,
                     .settings = settings_from(options)};
-  if (time) campaign.settings.push_back({"time_limit", typed(py::float_(*time))});
+  if (time_limit) campaign.settings.push_back({"time_limit", typed(py::float_(*time_limit))});
   if (max_iterations) {
     campaign.settings.push_back({"max_iterations", std::to_string(*max_iterations)});
   }
@@ -128,12 +131,12 @@ void bind_evaluation(py::module_& module) {
       .def("__repr__", [](const Comparison& self) {
         return fmt::format("<vandplan.Comparison in {}>", self.page);
       });
-  module.def("compare", &compare, "scenarios"_a, "planners"_a, "folder"_a, py::kw_only(),
-             "repeats"_a = 5, "repeats_per_goal"_a = 1, "time"_a = py::none(),
-             "max_iterations"_a = py::none(), "seed"_a = 1,
-             "regions"_a = std::vector<std::string>{"bounds"}, "jobs"_a = 1,
-             "progress"_a = py::none(),
-             R"(compare(scenarios, planners, folder, *, repeats=5, repeats_per_goal=1, time=None,
+  module.def(
+      "compare", &compare, "scenarios"_a, "planners"_a, "folder"_a, py::kw_only(), "repeats"_a = 5,
+      "repeats_per_goal"_a = 1, "time_limit"_a = py::none(), "max_iterations"_a = py::none(),
+      "seed"_a = 1, "regions"_a = std::vector<std::string>{"bounds"}, "jobs"_a = 1,
+      "progress"_a = py::none(), "time"_a = py::none(),
+      R"(compare(scenarios, planners, folder, *, repeats=5, repeats_per_goal=1, time_limit=None,
     max_iterations=None, seed=1, regions=["bounds"], jobs=1, progress=None, **options) -> Comparison
 
 Runs each planner on each scenario with equal seeds, and writes a report into `folder`.
@@ -144,7 +147,7 @@ not repeated.
 - `planners`: names, words such as "thesis" or "all", `Planner` objects, or functions of a `Task`.
 - `repeats`: runs of a planner on each scenario.
 - `repeats_per_goal`: runs for each goal, in scenarios with a row of goals.
-- `time` [s], `max_iterations`: budget of a run.
+- `time_limit` [s], `max_iterations`: budget of a run.
 - `seed`: seed from which that of each run is derived.
 - `regions`: where planners draw samples, "bounds" or "scene".
 - `jobs`: number of runs at the same time.

@@ -4,6 +4,7 @@
 // Goals with more than one pose.
 
 #include "bindings/python/core/goal.h"
+#include "bindings/python/core/renamed.h"
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -37,12 +38,14 @@ HeadingRange headings_from(const py::object& given) {
 
 GoalRegion made_region(const py::object& x, const py::object& y, const py::object& heading,
                        const py::object& area, bool either_way, double curvature,
-                       const py::object& hitch_angle, bool of_trailer) {
+                       const py::object& hitch_angle, std::optional<bool> is_of_trailer,
+                       std::optional<bool> of_trailer) {
+  const auto trailer = renamed("is_of_trailer", is_of_trailer, "of_trailer", of_trailer);
   GoalRegion region{.heading = headings_from(heading),
                     .either_way = either_way,
                     .curvature = curvature,
                     .hitch_angle = interval_from(hitch_angle, "hitch_angle"),
-                    .is_of_trailer = of_trailer};
+                    .is_of_trailer = trailer.value_or(false)};
   const bool has_area = !area.is_none();
   if (has_area != (x.is_none() && y.is_none()) || x.is_none() != y.is_none()) {
     throw InputError("area", "expected either x and y or an area");
@@ -86,7 +89,7 @@ py::tuple state_of_region(const GoalRegion& self) {
 
 GoalRegion region_from_state(const py::tuple& state) {
   return made_region(state[0], state[1], state[2], state[3], state[4].cast<bool>(),
-                     state[5].cast<double>(), state[6], state[7].cast<bool>());
+                     state[5].cast<double>(), state[6], state[7].cast<bool>(), {});
 }
 
 std::string text_of_region(const GoalRegion& self) {
@@ -99,8 +102,9 @@ std::string text_of_region(const GoalRegion& self) {
 }
 
 void bind_region(py::module_& module) {
-  py::class_<GoalRegion>(module, "GoalRegion", R"(GoalRegion(x=None, y=None, heading="any", *,
-    area=None, either_way=False, curvature=0, hitch_angle=0, of_trailer=False)
+  py::class_<GoalRegion> region(module, "GoalRegion",
+                                R"(GoalRegion(x=None, y=None, heading="any", *,
+    area=None, either_way=False, curvature=0, hitch_angle=0, is_of_trailer=False)
 
 Set of poses where a path may end: every place with every heading of the region.
 
@@ -112,12 +116,13 @@ Numbers may be pairs (first, second), which stand for all values between them.
 - `either_way`: whether headings turned by half a turn are goals too.
 - `curvature`: curvature that the wheels are turned to [1/m].
 - `hitch_angle`: heading of the vehicle less that of its trailer [rad].
-- `of_trailer`: whether place and heading are those of the trailer's axle.
+- `is_of_trailer`: whether place and heading are those of the trailer's axle.
 
-Raises InputError unless either `x` and `y` or `area` are given.)")
+Raises InputError unless either `x` and `y` or `area` are given.)");
+  region
       .def(py::init(&made_region), "x"_a = py::none(), "y"_a = py::none(), "heading"_a = "any",
            py::kw_only(), "area"_a = py::none(), "either_way"_a = false, "curvature"_a = 0.0,
-           "hitch_angle"_a = 0.0, "of_trailer"_a = false)
+           "hitch_angle"_a = 0.0, "is_of_trailer"_a = py::none(), "of_trailer"_a = py::none())
       .def_property_readonly(
           "x", [](const GoalRegion& self) { return place_of(self, self.x); },
           "x of the axle, a number or a pair [m]; None with an area.")
@@ -136,13 +141,15 @@ Raises InputError unless either `x` and `y` or `area` are given.)")
             return number_or_pair(self.hitch_angle.least, self.hitch_angle.most);
           },
           "Heading of the vehicle less that of its trailer: a number or a pair [rad].")
-      .def_readonly("of_trailer", &GoalRegion::is_of_trailer,
+      .def_readonly("is_of_trailer", &GoalRegion::is_of_trailer,
                     "Whether place and heading are those of the trailer's axle.")
       .def("__eq__", [](const GoalRegion& self, const GoalRegion& other) { return self == other; })
       .def("__eq__", [](const GoalRegion&, const py::object&) { return false; })
       .def("__repr__", &text_of_region)
       .def(py::pickle(&state_of_region, &region_from_state))
       .attr("__hash__") = py::none();
+  add_old_property(region, "of_trailer", "is_of_trailer",
+                   [](const GoalRegion& self) { return self.is_of_trailer; });
 }
 
 }  // namespace

@@ -55,17 +55,17 @@ OccupancyGrid grid_from(const py::object& given, double resolution, const py::ob
                         bool unknown_is_free) {
   auto array = py::array::ensure(given);
   if (!array || array.ndim() != 2 || array.size() == 0) {
-    throw InputError("grid", "expected a 2-D array of bool or whole numbers");
+    throw InputError("map", "expected a 2-D array of bool or whole numbers");
   }
   const char kind = array.dtype().kind();
   if (kind != 'b' && kind != 'i' && kind != 'u') {
-    throw InputError("grid", "is an array of " + std::string(py::str(array.dtype())) +
-                                 ", expected bool or whole numbers");
+    throw InputError("map", "is an array of " + std::string(py::str(array.dtype())) +
+                                ", expected bool or whole numbers");
   }
   if (array.size() > most_map_cells) {
-    throw InputError("grid", fmt::format("has more than {} cells", most_map_cells));
+    throw InputError("map", fmt::format("has more than {} cells", most_map_cells));
   }
-  OccupancyGrid grid{.origin = pose_from(origin, "grid.origin"),
+  OccupancyGrid grid{.origin = pose_from(origin, "map.origin"),
                      .resolution = resolution,
                      .columns = static_cast<std::int32_t>(array.shape(1)),
                      .rows = static_cast<std::int32_t>(array.shape(0)),
@@ -90,7 +90,7 @@ count along its heading, rows to the left, as in ROS. Rows of images count downw
 cells[::-1].
 
 With `unknown_is_free` unknown cells and the ground outside the map are free, otherwise they are
-obstacles. Raises InputError naming "grid" or a key of it.)")
+obstacles. Raises InputError naming "map" or a key of it.)")
       .def(py::init(&grid_from), "cells"_a, "resolution"_a, "origin"_a = py::make_tuple(0, 0, 0),
            "unknown_is_free"_a = false)
       .def_property_readonly("cells", &cells_of,

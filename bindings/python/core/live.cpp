@@ -129,7 +129,7 @@ void bind_live(py::module_& module) {
       R"(drive_live(scenario, *, period=0.1, sensor_range=None, prediction="known", horizon=6.0,
     longest=600.0, controller="", noise=0.0, delay=0.0, spare_steering=0.0, reserve=0.1, committed=1.0,
     better=0.1, tick_iterations=100, tick_states=2000, action_rate=0.0, on_action=None, seed=1,
-    keep_log=False, time=None, max_iterations=None, **options) -> LiveDriveResult
+    keep_log=False, time_limit=None, max_iterations=None, **options) -> LiveDriveResult
 
 Drives to the goal in a closed loop of replanning, controller and simulated vehicle.
 
@@ -137,7 +137,7 @@ The vehicle plans every `period` [s], a multiple of 0.02. It sees what is within
 None: it knows all. It expects of moving obstacles the `prediction` "known", or "constant-velocity"
 for `horizon` [s]. The drive ends after `longest` [s]. `on_action` is called `action_rate` times a
 second with a dict of t, steering_angle, v and a. All other keywords are those of `drive`,
-`Replanner` and `plan`. Without a limit of `time` the result repeats bit for bit.)");
+`Replanner` and `plan`. Without a `time_limit` the result repeats bit for bit.)");
 }
 
 }  // namespace vandplan::python

@@ -46,7 +46,7 @@ void set_keywords(PlanOptions& options, const Planner& planner, const RunKeyword
     return setting_order(a.name) < setting_order(b.name);
   });
   for (const auto& [name, value] : typed) set_option(options, planner, name, value);
-  if (keywords.time) options.budget.time_limit = keywords.time;
+  if (keywords.time_limit) options.budget.time_limit = keywords.time_limit;
   if (keywords.max_iterations) options.budget.max_iterations = keywords.max_iterations;
   options.budget.seed = keywords.seed;
 }

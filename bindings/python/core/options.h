@@ -17,7 +17,7 @@ namespace vandplan::python {
 
 /// Keywords of every call that plans.
 struct RunKeywords {
-  std::optional<double> time;  ///< Time limit [s].
+  std::optional<double> time_limit;  ///< Time limit [s].
   std::optional<std::int64_t> max_iterations;
   std::uint64_t seed = 1;
   pybind11::dict options;  ///< All other keywords, with the names of `--set`.

@@ -4,6 +4,7 @@
 // Paths, and the steering functions that create them.
 
 #include "bindings/python/core/path.h"
+#include "bindings/python/core/renamed.h"
 
 #include <fmt/format.h>
 
@@ -90,19 +91,19 @@ std::string path_text(const Path& path) {
 }
 
 void bind_path_class(py::module_& module) {
-  py::class_<Path>(module, "Path", R"(Path(start, segments)
+  py::class_<Path> path(module, "Path", R"(Path(start, segments)
 
 Path from a start pose [x, y, heading] along segments.
 
 `segments` are rows [curvature, length, curvature_rate]; the last number may be missing. The
 curvature is that at the segment's start [1/m], positive to the left. The length [m] is negative in
-reverse. The rate [1/m^2] is the change of curvature per metre driven.)")
-      .def(py::init(&made_path), "start"_a, "segments"_a)
+reverse. The rate [1/m^2] is the change of curvature per metre driven.)");
+  path.def(py::init(&made_path), "start"_a, "segments"_a)
       .def_property_readonly(
           "start", [](const Path& self) { return array_of(self.start); },
           "First pose [x, y, heading].")
       .def_property_readonly(
-          "end", [](const Path& self) { return array_of(end_pose(self)); },
+          "end_pose", [](const Path& self) { return array_of(end_pose(self)); },
           "Last pose [x, y, heading].")
       .def_property_readonly(
           "segments",
@@ -117,11 +118,11 @@ reverse. The rate [1/m^2] is the change of curvature per metre driven.)")
       .def("poses", &poses_of, "step"_a = 0.1, R"(poses(step=0.1) -> array of shape (N, 3)
 
 Poses along the path at most `step` apart [m], with both ends of every segment.)")
-      .def("samples", &samples_of, "step"_a = 0.1, R"(samples(step=0.1) -> dict of arrays
+      .def("sampled", &samples_of, "step"_a = 0.1, R"(sampled(step=0.1) -> dict of arrays
 
 Columns at the places of `poses`: s [m], x, y, heading, curvature [1/m], direction.
 
-The direction is 1 forward, -1 in reverse. `pandas.DataFrame(path.samples())` makes a table.)")
+The direction is 1 forward, -1 in reverse. `pandas.DataFrame(path.sampled())` makes a table.)")
       .def("pose_at", &poses_at, "s"_a, R"(pose_at(s) -> array
 
 Pose after `s` metres, clamped to [0, length].
@@ -137,6 +138,10 @@ The shape is (3,) for a number and (..., 3) for an array.)")
           },
           [](const py::tuple& state) { return made_path(state[0], state[1]); }))
       .attr("__hash__") = py::none();
+  add_old_property(path, "end", "end_pose",
+                   [](const Path& self) { return array_of(end_pose(self)); });
+  add_old_method(path, "samples", "sampled", "(step=0.1) -> dict of arrays", &samples_of,
+                 "step"_a = 0.1);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "bindings/python/core/bind.h"
 #include "bindings/python/core/interrupt.h"
 #include "bindings/python/core/options.h"
+#include "bindings/python/core/renamed.h"
 #include "bindings/python/core/result.h"
 #include "vandplan/input_error.h"
 #include "vandplan/smooth.h"
@@ -57,12 +58,15 @@ RunResult planned(const CheckedScenario& scenario, std::shared_ptr<const Planner
 }
 
 RunResult plan_one(const CheckedScenario& scenario, const py::object& planner,
-                   std::optional<double> time, std::optional<std::int64_t> max_iterations,
-                   std::uint64_t seed, const std::string& on_interrupt, const py::kwargs& options) {
+                   std::optional<double> time_limit, std::optional<std::int64_t> max_iterations,
+                   std::uint64_t seed, const std::string& on_interrupt, std::optional<double> time,
+                   const py::kwargs& options) {
+  time_limit = renamed("time_limit", time_limit, "time", time);
   const bool returns = returns_at_interrupt(on_interrupt);
   std::shared_ptr<const Planner> chosen = planner_from(planner);
-  PlanOptions all = options_for(*chosen, scenario.options(), {time, max_iterations, seed, options},
-                                scenario.scenario().vehicle);
+  PlanOptions all =
+      options_for(*chosen, scenario.options(), {time_limit, max_iterations, seed, options},
+                  scenario.scenario().vehicle);
   return planned(scenario, std::move(chosen), std::move(all), returns);
 }
 
@@ -87,21 +91,24 @@ std::vector<CheckedScenario> scenarios_for(const CheckedScenario& scenario,
 }
 
 std::vector<RunResult> plan_pairs(const CheckedScenario& scenario, const py::object& starts,
-                                  const py::object& goals, const py::object& planner, int threads,
-                                  std::optional<double> time,
+                                  const py::object& goals, const py::object& planner,
+                                  std::optional<int> given_jobs, std::optional<double> time_limit,
                                   std::optional<std::int64_t> max_iterations, std::uint64_t seed,
+                                  std::optional<double> time, std::optional<int> threads,
                                   const py::kwargs& keywords) {
-  if (threads < 1 || threads > 1024) throw InputError("threads", "expected 1 to 1024");
+  time_limit = renamed("time_limit", time_limit, "time", time);
+  const int jobs = renamed("jobs", given_jobs, "threads", threads).value_or(1);
+  if (jobs < 1 || jobs > 1024) throw InputError("jobs", "expected 1 to 1024");
   const std::shared_ptr<const Planner> chosen = planner_from(planner);
   PlanOptions options =
-      options_for(*chosen, scenario.options(), {time, max_iterations, seed, keywords},
+      options_for(*chosen, scenario.options(), {time_limit, max_iterations, seed, keywords},
                   scenario.scenario().vehicle);
   std::vector<CheckedScenario> scenarios = scenarios_for(scenario, starts, goals);
   std::vector<Problem> problems;
   for (const CheckedScenario& one : scenarios) problems.push_back(one.problem());
   std::vector<PlanResult> results(problems.size());
   run_interruptibly(options, false, [&] {
-    plan_many(problems, *chosen, options, threads,
+    plan_many(problems, *chosen, options, jobs,
               [&](std::size_t i, PlanResult result) { results[i] = std::move(result); });
   });
   std::vector<RunResult> runs;
@@ -123,14 +130,15 @@ std::vector<Setting> stored_with(const py::object& given) {
 }
 
 RunResult smooth_path(const CheckedScenario& scenario, const py::object& given,
-                      const std::string& method, std::optional<double> time,
+                      const std::string& method, std::optional<double> time_limit,
                       std::optional<std::int64_t> max_iterations, std::uint64_t seed,
-                      const py::kwargs& keywords) {
+                      std::optional<double> time, const py::kwargs& keywords) {
+  time_limit = renamed("time_limit", time_limit, "time", time);
   const SmoothMethod chosen = smooth_method_named(method);
   const Path& path = path_from(given);
   RunResult run{scenario, std::make_shared<const Planner>(smoother(path, chosen)), {}};
   PlanOptions options = smooth_options(scenario.options(), stored_with(given));
-  set_keywords(options, *run.planner, {time, max_iterations, seed, keywords});
+  set_keywords(options, *run.planner, {time_limit, max_iterations, seed, keywords});
   Smoothed smoothed;
   const Problem& problem = scenario.problem();  // Needs Python's lock.
   run_interruptibly(options, false, [&] { smoothed = smooth(problem, path, chosen, options); });
@@ -146,16 +154,16 @@ RunResult smooth_path(const CheckedScenario& scenario, const py::object& given,
 
 void bind_planning(py::module_& module) {
   module.def("plan", &plan_one, "scenario"_a, "planner"_a = default_planner().name, py::kw_only(),
-             "time"_a = py::none(), "max_iterations"_a = py::none(), "seed"_a = 1,
-             "on_interrupt"_a = "raise",
-             R"(plan(scenario, planner="anytime", *, time=None, max_iterations=None, seed=1,
+             "time_limit"_a = py::none(), "max_iterations"_a = py::none(), "seed"_a = 1,
+             "on_interrupt"_a = "raise", "time"_a = py::none(),
+             R"(plan(scenario, planner="anytime", *, time_limit=None, max_iterations=None, seed=1,
     on_interrupt="raise", **options) -> Result
 
 Plans a path; the judge checks it before it is returned.
 
 - `planner`: a name, a `Planner`, or a function of a `Task`.
-- `time` [s], `max_iterations`: budget of the run; 1 s without both. With `max_iterations` alone the
-  result repeats bit for bit.
+- `time_limit` [s], `max_iterations`: budget of the run; 1 s without both. With `max_iterations`
+  alone the result repeats bit for bit.
 - `seed`: seed of the random numbers.
 - `on_interrupt`: "raise": Ctrl-C ends the run and raises KeyboardInterrupt. "return": it returns
   the best path so far.
@@ -165,25 +173,27 @@ Plans a path; the judge checks it before it is returned.
 Prices that are not set are those of a truck driver. They are smaller for a turning radius below 7
 m. Raises InputError, a ValueError, for wrong input.)");
   module.def("plan_many", &plan_pairs, "scenario"_a, "starts"_a, "goals"_a,
-             "planner"_a = default_planner().name, py::kw_only(), "threads"_a = 1,
-             "time"_a = py::none(), "max_iterations"_a = py::none(), "seed"_a = 1,
-             R"(plan_many(scenario, starts, goals, planner="anytime", *, threads=1, time=None,
+             "planner"_a = default_planner().name, py::kw_only(), "jobs"_a = py::none(),
+             "time_limit"_a = py::none(), "max_iterations"_a = py::none(), "seed"_a = 1,
+             "time"_a = py::none(), "threads"_a = py::none(),
+             R"(plan_many(scenario, starts, goals, planner="anytime", *, jobs=1, time_limit=None,
     max_iterations=None, seed=1, **options) -> list of Result
 
-Plans from each start to its goal in the world of the scenario, `threads` problems at a time.
+Plans from each start to its goal in the world of the scenario, `jobs` problems at a time.
 
 Starts and goals are poses of shape (N, 3), or one pose for all. Each plan has the whole budget, and
 the same result as by `plan`. The other keywords are those of `plan`.)");
   module.def(
       "smooth", &smooth_path, "scenario"_a, "path"_a, py::kw_only(), "method"_a = "optimised",
-      "time"_a = py::none(), "max_iterations"_a = py::none(), "seed"_a = 1,
-      R"(smooth(scenario, path, *, method="optimised", time=None, max_iterations=None, seed=1,
+      "time_limit"_a = py::none(), "max_iterations"_a = py::none(), "seed"_a = 1,
+      "time"_a = py::none(),
+      R"(smooth(scenario, path, *, method="optimised", time_limit=None, max_iterations=None, seed=1,
     **options) -> Result
 
 Cheaper path along the way of a `Path`, `SpeedProfile` or `Result`, which the wheels can follow.
 
 - `method`: "optimised" or "clothoids".
-- `time` [s], `max_iterations`, `seed`: budget and seed.
+- `time_limit` [s], `max_iterations`, `seed`: budget and seed.
 - `options`: options of `plan`. They replace those of a `Result` (prices, cost, margin, min_stroke,
   steering), which replace those of the scenario.
 

@@ -14,6 +14,7 @@
 #include "bindings/python/core/goal.h"
 #include "bindings/python/core/interrupt.h"
 #include "bindings/python/core/options.h"
+#include "bindings/python/core/renamed.h"
 #include "bindings/python/core/replanner.h"
 
 namespace vandplan::python {
@@ -36,7 +37,9 @@ PlanOptions replanned_options(py::dict& keywords, const CheckedScenario& scenari
     take(keywords, name, value);
     if (is_given) limit = value;
   };
-  take_limit("time", run.time);
+  if (keywords.contains("time")) warn_of_old_name("time", "time_limit");
+  take_limit("time", run.time_limit);
+  take_limit("time_limit", run.time_limit);
   take_limit("max_iterations", run.max_iterations);
   take(keywords, "seed", run.seed);
   run.options = keywords;
@@ -247,7 +250,7 @@ void bind_replanner(py::module_& module) {
   py::class_<OwnReplanner, std::shared_ptr<OwnReplanner>>(
       module, "Replanner",
       R"(Replanner(scenario, *, tick_iterations=100, tick_states=2000, committed=1.0, better=0.1,
-    reserve=0.1, time=None, max_iterations=None, seed=1, **options)
+    reserve=0.1, time_limit=None, max_iterations=None, seed=1, **options)
 
 Replanner for one vehicle on its way to one goal, in a changing world.
 
@@ -258,7 +261,7 @@ for bit, unless a tick has a time limit. Trailers are not supported. `options` a
 - `committed`: time for which a drive stays unchanged if possible [s].
 - `better`: share by which a new way must be cheaper, 0 to 1.
 - `reserve`: share of the limits left for corrections, 0.01 to 0.5.
-- `time` [s], `max_iterations`: budget of the first plan.)")
+- `time_limit` [s], `max_iterations`: budget of the first plan.)")
       .def(py::init(&made_replanner), "scenario"_a)
       .def("tick", &tick, "t"_a, "pose"_a = py::none(), py::kw_only(), "v"_a = 0.0,
            "curvature"_a = 0.0, "time_limit"_a = py::none(),

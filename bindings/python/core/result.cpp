@@ -14,6 +14,7 @@
 #include "bindings/python/core/check.h"
 #include "bindings/python/core/drive.h"
 #include "bindings/python/core/options.h"
+#include "bindings/python/core/renamed.h"
 #include "vandplan/draw.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
@@ -37,7 +38,7 @@ std::optional<double> result_gap(const RunResult& self) {
   return result.cost / *result.lower_bound - 1.0;
 }
 
-py::array_t<double> result_trace(const RunResult& self) {
+py::array_t<double> result_anytime(const RunResult& self) {
   const std::vector<CostSample>& samples = plan_of(self).anytime;
   py::array_t<double> array({static_cast<py::ssize_t>(samples.size()), py::ssize_t{3}});
   double* out = array.mutable_data();
@@ -133,11 +134,16 @@ void bind_result_class(py::module_& module) {
       "goal", [](const PlanResult& r) { return r.goal; },
       "Goal of a set that the path ends at, a `ReachedGoal`; None without a set of goals.");
   property(
-      "bound", [](const PlanResult& r) { return r.lower_bound.value_or(0.0); },
-      "Proven lower bound on the cost of all paths, in the unit of `cost`; 0 if nothing is "
+      "lower_bound", [](const PlanResult& r) { return r.lower_bound; },
+      "Proven lower bound on the cost of all paths, in the unit of `cost`; None if nothing is "
       "proven.");
   property(
-      "time", [](const PlanResult& r) { return r.time_total; }, "Time in the planner [s].");
+      "time_total", [](const PlanResult& r) { return r.time_total; }, "Time in the planner [s].");
+  add_old_property(result, "bound", "lower_bound",
+                   [](const RunResult& self) { return plan_of(self).lower_bound.value_or(0.0); });
+  add_old_property(result, "time", "time_total",
+                   [](const RunResult& self) { return plan_of(self).time_total; });
+  add_old_property(result, "trace", "anytime", &result_anytime);
   property(
       "iterations", [](const PlanResult& r) { return r.iterations; }, "Iterations of the planner.");
   property("check", &verdict_of,
@@ -151,9 +157,9 @@ void bind_result_class(py::module_& module) {
 
 None if the planner left the times open, as it does without moving obstacles.)")
       .def_property_readonly("gap", &result_gap,
-                             "Optimality gap, cost / bound - 1; None if nothing is proven.")
+                             "Optimality gap, cost / lower_bound - 1; None if nothing is proven.")
       .def_property_readonly(
-          "trace", &result_trace,
+          "anytime", &result_anytime,
           "Rows [time, iteration, cost], one for each better path; shape (N, 3).")
       .def_property_readonly("counters", &counters_of, "Counters of the planner by name.")
       .def_property_readonly("phases", &phases_of,

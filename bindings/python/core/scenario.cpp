@@ -4,6 +4,7 @@
 // Scenarios from arguments, arrays and files.
 
 #include "bindings/python/core/scenario.h"
+#include "bindings/python/core/renamed.h"
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -25,19 +26,19 @@ namespace {
 using namespace py::literals;
 using FileName = std::filesystem::path;  // Accepts str and os.PathLike.
 
-std::optional<OccupancyGrid> map_from(const py::object& grid, const py::object& resolution,
+std::optional<OccupancyGrid> map_from(const py::object& map, const py::object& resolution,
                                       const py::object& origin) {
-  if (grid.is_none()) {
+  if (map.is_none()) {
     if (resolution.is_none() && origin.is_none()) return std::nullopt;
-    throw InputError("grid", "is missing: its resolution or origin is given");
+    throw InputError("map", "is missing: its resolution or origin is given");
   }
-  if (py::isinstance<OccupancyGrid>(grid)) {
-    if (resolution.is_none() && origin.is_none()) return grid.cast<OccupancyGrid>();
-    throw InputError("resolution", "and origin are those of the grid");
+  if (py::isinstance<OccupancyGrid>(map)) {
+    if (resolution.is_none() && origin.is_none()) return map.cast<OccupancyGrid>();
+    throw InputError("resolution", "and origin are those of the map");
   }
   if (resolution.is_none()) throw InputError("resolution", "is missing: the side of a cell [m]");
   const py::object corner = origin.is_none() ? py::make_tuple(0, 0, 0) : origin;
-  return grid_from(grid, resolution.cast<double>(), corner, false);
+  return grid_from(map, resolution.cast<double>(), corner, false);
 }
 
 Bounds bounds_from(const py::object& given, const std::optional<OccupancyGrid>& map) {
@@ -62,13 +63,14 @@ py::list arrays_of(const std::vector<Polygon>& polygons) {
 
 CheckedScenario make_scenario(const py::object& start, const py::object& goal,
                               const py::object& bounds, const py::object& obstacles,
-                              const py::object& kerbs, const py::object& grid,
+                              const py::object& kerbs, const py::object& map,
                               const py::object& resolution, const py::object& origin,
                               const py::object& vehicle, double start_curvature,
                               double goal_curvature, double start_hitch_angle,
                               double goal_hitch_angle, const std::string& name,
                               const py::dict& options, const std::vector<MovingObstacle>& moving,
-                              const py::object& inside) {
+                              const py::object& inside, const py::object& grid) {
+  if (!grid.is_none()) warn_of_old_name("grid", "map");
   Scenario scenario{.name = name,
                     .vehicle = vehicle_from(vehicle),
                     .start = pose_from(start, "start"),
@@ -78,7 +80,7 @@ CheckedScenario make_scenario(const py::object& start, const py::object& goal,
                     .obstacles = polygons_from(obstacles, "obstacles"),
                     .kerbs = polygons_from(kerbs, "kerbs"),
                     .inside = polygons_from(inside, "inside"),
-                    .map = map_from(grid, resolution, origin),
+                    .map = map_from(map.is_none() ? grid : map, resolution, origin),
                     .moving = moving};
   scenario.bounds = bounds_from(bounds, scenario.map);
   if (scenario.goal_set.empty()) scenario.goal = pose_from(goal, "goal");
@@ -156,7 +158,7 @@ std::string scenario_text(const CheckedScenario& self) {
           : fmt::format("any of {} region{}", s.goal_set.size(), s.goal_set.size() == 1 ? "" : "s");
   return fmt::format("<vandplan.Scenario {}: ({:g}, {:g}, {:g}) to {}, {} obstacles{}>", s.name,
                      s.start.x, s.start.y, s.start.heading, goal, s.obstacles.size(),
-                     s.map ? ", a grid" : "");
+                     s.map ? ", a map" : "");
 }
 
 void bind_scenario_data(py::class_<CheckedScenario>& scenario) {
@@ -208,7 +210,9 @@ void bind_scenario_data(py::class_<CheckedScenario>& scenario) {
       "inside", [](const Scenario& s) { return arrays_of(s.inside); },
       "Areas, in one of which the whole body must stay; empty: anywhere.");
   property(
-      "grid", [](const Scenario& s) { return s.map; }, "The occupancy grid, or None.");
+      "map", [](const Scenario& s) { return s.map; }, "The map, an `OccupancyGrid`, or None.");
+  add_old_property(scenario, "grid", "map",
+                   [](const CheckedScenario& self) { return self.scenario().map; });
   property(
       "moving", [](const Scenario& s) { return s.moving; },
       "Moving obstacles, `MovingObstacle` objects.");
@@ -224,7 +228,7 @@ void bind_scenario_data(py::class_<CheckedScenario>& scenario) {
 
 void bind_scenario_class(py::module_& module) {
   py::class_<CheckedScenario> scenario(module, "Scenario", R"(Scenario(start, goal, *, bounds=None,
-    obstacles=(), kerbs=(), grid=None, resolution=None, origin=None, vehicle=None,
+    obstacles=(), kerbs=(), map=None, resolution=None, origin=None, vehicle=None,
     start_curvature=0, goal_curvature=0, start_hitch_angle=0, goal_hitch_angle=0, name="scenario",
     options={}, moving=(), inside=())
 
@@ -232,11 +236,11 @@ A planning problem, checked and immutable. Units are metres and radians.
 
 - `start`: pose [x, y, heading] of the midpoint of the rear axle.
 - `goal`: a pose, a `GoalRegion`, or a sequence of `GoalRegion` objects.
-- `bounds`: range of the rear axle (x_min, x_max, y_min, y_max); that of the grid by default.
+- `bounds`: range of the rear axle (x_min, x_max, y_min, y_max); that of the map by default.
 - `obstacles`, `kerbs`: simple polygons, arrays of shape (N, 2) or polygons of shapely and
   geopandas without holes. Only the wheels keep off kerbs.
 - `inside`: simple polygons, in one of which the whole body must stay.
-- `grid`: an `OccupancyGrid`, or a 2-D array with its `resolution` and `origin`.
+- `map`: an `OccupancyGrid`, or a 2-D array with its `resolution` and `origin`.
 - `moving`: `MovingObstacle` objects.
 - `vehicle`: a `Vehicle`, a name, or a dict; None: a truck.
 - `start_curvature`, `goal_curvature`: curvature that the wheels are turned to [1/m].
@@ -246,11 +250,12 @@ A planning problem, checked and immutable. Units are metres and radians.
 Raises InputError naming the argument that is wrong.)");
   scenario
       .def(py::init(&make_scenario), "start"_a, "goal"_a, py::kw_only(), "bounds"_a = py::none(),
-           "obstacles"_a = py::tuple(), "kerbs"_a = py::tuple(), "grid"_a = py::none(),
+           "obstacles"_a = py::tuple(), "kerbs"_a = py::tuple(), "map"_a = py::none(),
            "resolution"_a = py::none(), "origin"_a = py::none(), "vehicle"_a = py::none(),
            "start_curvature"_a = 0.0, "goal_curvature"_a = 0.0, "start_hitch_angle"_a = 0.0,
            "goal_hitch_angle"_a = 0.0, "name"_a = "scenario", "options"_a = py::dict(),
-           "moving"_a = std::vector<MovingObstacle>{}, "inside"_a = py::tuple())
+           "moving"_a = std::vector<MovingObstacle>{}, "inside"_a = py::tuple(),
+           "grid"_a = py::none())
       .def("with_poses", &moved, "start"_a = py::none(), "goal"_a = py::none(),
            R"(with_poses(start=None, goal=None) -> Scenario
 
@@ -262,11 +267,11 @@ Copy with these `MovingObstacle` objects in place of the old ones. It shares the
 is built again.)")
       .def(
           "to_yaml", [](const CheckedScenario& self) { return to_yaml(self.file()); },
-          "to_yaml() -> str\n\nText of a scenario file. A grid is only named; `save` writes it "
+          "to_yaml() -> str\n\nText of a scenario file. A map is only named; `save` writes it "
           "too.")
       .def("save", &save_scenario, "file"_a, R"(save(file)
 
-Writes a scenario file for the command line, and a grid in files beside it (.map.yaml, .map.pgm).)")
+Writes a scenario file for the command line, and a map in files beside it (.map.yaml, .map.pgm).)")
       .def("__repr__", &scenario_text)
       .def(py::pickle(&state_of_scenario, &scenario_from_state))
       .def("__copy__", [](const CheckedScenario& self) { return self; })

@@ -57,7 +57,7 @@ class CheckedScenario {
   mutable std::shared_ptr<const Problem> problem_;
 };
 
-/// Map from an array, a resolution [m] and an origin. Throws InputError naming "grid" or one of its
+/// Map from an array, a resolution [m] and an origin. Throws InputError naming "map" or one of its
 /// keys.
 [[nodiscard]] OccupancyGrid grid_from(const pybind11::object& given, double resolution,
                                       const pybind11::object& origin, bool unknown_is_free);

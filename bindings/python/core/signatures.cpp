@@ -3,8 +3,8 @@
 
 // How do docstrings get signatures in the form that `inspect.signature` reads?
 //
-// A docstring "plan(scenario, *, time=None) -> Result\n\nText" becomes "plan(scenario, *,
-// time=None)\n--\n\n-> Result\n\nText". Python removes the first part from `__doc__` and parses it.
+// A docstring "plan(scenario, *, seed=1) -> Result\n\nText" becomes "plan(scenario, *,
+// seed=1)\n--\n\n-> Result\n\nText". Python removes the first part from `__doc__` and parses it.
 // For classes the signature belongs to `__init__`.
 
 #include <cstdlib>
@@ -21,7 +21,7 @@ namespace py = pybind11;
 
 /// Parts of a docstring.
 struct Docstring {
-  std::string arguments = {};  ///< "(scenario, *, time=None)" on one line; empty if there are none.
+  std::string arguments = {};  ///< "(scenario, *, seed=1)" on one line; empty if there are none.
   std::string returned = {};   ///< "Result"; empty if there is none.
   std::string text = {};
 };

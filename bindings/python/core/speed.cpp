@@ -12,6 +12,7 @@
 #include "bindings/python/core/arrays.h"
 #include "bindings/python/core/bind.h"
 #include "bindings/python/core/drive.h"
+#include "bindings/python/core/renamed.h"
 #include "bindings/python/core/value.h"
 
 namespace vandplan::python {
@@ -203,7 +204,8 @@ void bind_speed(py::module_& module) {
       .field("start_speed", &PathDrive::start_speed, "Speed at the begin of the drive [m/s].")
       .part([](const PathDrive& self) { return profile_state(self.profile); },
             [](PathDrive& self, const py::handle& state) { self.profile = profile_from(state); });
-  drive.pickled()
+  py::class_<PathDrive>& bound = drive.pickled();
+  bound
       .def_property_readonly(
           "duration", [](const PathDrive& self) { return self.profile.duration; },
           "Duration of the whole drive [s].")
@@ -218,7 +220,7 @@ Keys: t [s], s [m], pause [s], curvature_before and curvature_after [1/m].)")
           R"(Knots of the speed profile, a dict of columns. Between knots the jerk is constant.
 
 Keys: t [s], s [m], v [m/s], a [m/s^2], jerk [m/s^3], and bound, the limit until the next knot.)")
-      .def("motions", &motions_of, "step"_a = 0.05, R"(motions(step=0.05) -> dict of arrays
+      .def("sampled", &motions_of, "step"_a = 0.05, R"(sampled(step=0.05) -> dict of arrays
 
 Motion at start and goal, at begin and end of stops, and at multiples of `step` [s] between them.
 
@@ -226,12 +228,16 @@ The result is a dict of columns. Multiples within step/1000 of another time are 
 
 Keys: t [s], s [m], x, y, heading, curvature [1/m], steering_angle [rad], direction, v [m/s], a
 [m/s^2]. v is negative in reverse.)")
-      .def("at", &motions_at, "t"_a,
-           "at(t) -> dict of arrays\n\nMotion at these times [s], with the columns of `motions`.")
+      .def("motion_at", &motions_at, "t"_a,
+           "motion_at(t) -> dict of arrays\n\nMotion at these times [s], with the columns of "
+           "`sampled`.")
       .def("__repr__", [](const PathDrive& self) {
         return fmt::format("<vandplan.SpeedProfile: {:.2f} m in {:.2f} s, {} stops>",
                            length(self.path), self.profile.duration, self.profile.stops.size());
       });
+  add_old_method(bound, "motions", "sampled", "(step=0.05) -> dict of arrays", &motions_of,
+                 "step"_a = 0.05);
+  add_old_method(bound, "at", "motion_at", "(t) -> dict of arrays", &motions_at, "t"_a);
   module.def("speed_profile", &chosen_drive, "scenario"_a = py::none(), "path"_a = py::none(),
              "start_curvature"_a = py::none(), py::kw_only(), "vehicle"_a = py::none(),
              R"(speed_profile(scenario, path, start_curvature=None) -> SpeedProfile

@@ -294,7 +294,7 @@ Path of `steer`, if it is free and costs less than `cutoff` [m]. None: any cost.
 
 Cost of a path or of a list of consecutive paths [m]; the length if prices are not honoured.)")
       .def("found", &PlanningTask::found, "cost"_a,
-           "found(cost)\n\nRecords the time of a new best path for `Result.trace`.");
+           "found(cost)\n\nRecords the time of a new best path for `Result.anytime`.");
 }
 
 }  // namespace vandplan::python

@@ -4,9 +4,9 @@
 
     import vandplan as vp
 
-    scenario = vp.Scenario((0, 0, 0), (0, 12, 0), bounds=(-50, 50, -50, 50),
-                           obstacles=[[(-20, 5), (15, 5), (15, 7), (-20, 7)]])
-    result = vp.plan(scenario, time=0.5)
+    wall = [(-20, 5), (15, 5), (15, 7), (-20, 7)]
+    scenario = vp.Scenario((0, 0, 0), (0, 12, 0), bounds=(-50, 50, -50, 50), obstacles=[wall])
+    result = vp.plan(scenario, time_limit=0.5)
     print(result.path.poses(step=1.0))
 
 Units are metres, radians and seconds; headings count counter-clockwise from the x axis. A pose

@@ -40,7 +40,7 @@ def _draw_grid(ax: Axes, scenario: Scenario) -> None:
     import numpy as np
     from matplotlib.transforms import Affine2D
 
-    grid = scenario.grid
+    grid = scenario.map
     if grid is None:
         return
     shades = np.full((*grid.shape, 4), 1.0)
@@ -93,7 +93,7 @@ def _draw_path(ax: Axes, scenario: Scenario, path: Path) -> None:
     poses = path.poses(step)
     swept = _outlines(scenario, path.poses(max(path.length / 500, 0.2)))
     ax.add_collection(PolyCollection(swept, facecolor=_SWEPT, edgecolor=_SWEPT, zorder=0.5))
-    direction = path.samples(step)["direction"][:-1]
+    direction = path.sampled(step)["direction"][:-1]
     pieces = np.stack([poses[:-1, :2], poses[1:, :2]], axis=1)
     for sign, colour, label in ((1, _FORWARD, "forward"), (-1, _REVERSE, "reverse")):
         driven = pieces[direction == sign]

@@ -70,8 +70,8 @@ def features_of(scenario: Scenario) -> dict[str, Any]:
 
     x_min, x_max, y_min, y_max = scenario.bounds
     add(_polygon([(x_min, y_min), (x_max, y_min), (x_max, y_max), (x_min, y_max)]), "bounds")
-    if scenario.grid is not None:
-        add(_polygon(scenario.grid.outline.tolist()), "grid")
+    if scenario.map is not None:
+        add(_polygon(scenario.map.outline.tolist()), "map")
     for what in ("obstacles", "kerbs", "inside"):
         for index, corners in enumerate(getattr(scenario, what)):
             add(_polygon(corners.tolist()), what, index)
