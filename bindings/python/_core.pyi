@@ -586,6 +586,8 @@ class ReplanAnswer:
     @property
     def drive(self) -> SpeedProfile | None: ...
     @property
+    def start_hitch_angle(self) -> float: ...
+    @property
     def reaches_goal(self) -> bool: ...
     @property
     def has_arrived(self) -> bool: ...
@@ -618,6 +620,7 @@ class Replanner:
         *,
         v: float = 0.0,
         curvature: float = 0.0,
+        hitch_angle: float | None = None,
         time_limit: float | None = None,
     ) -> ReplanAnswer: ...
     def patch(

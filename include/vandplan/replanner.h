@@ -112,9 +112,10 @@ struct ReplanAnswer {
 
 /// Limit of the time of one tick. Answers of ticks without a limit repeat bit for bit.
 struct TickLimit {
-  /// Wall-clock time within which the tick answers [s]; >= 0; none: no limit. The search for better
-  /// drives ends 10 ms before, or after half of a shorter limit. The rest is left for the judge,
-  /// and for the search for a standstill if no drive was found: the nearest one is always tried.
+  /// Time within which the tick answers [s]; >= 0; none: no limit. The clock is that of
+  /// `ReplanOptions::plan`. The search for better drives ends 10 ms before, or after half of a
+  /// shorter limit. The rest is left for the judge, and for the search for a standstill if no drive
+  /// was found: the nearest one is always tried. A judgement that has begun is not cut short.
   std::optional<double> time_limit = {};
   std::stop_token stop = {};  ///< when this is asked to stop, the tick answers as if time were over
 };
@@ -124,7 +125,9 @@ struct VehicleState {
   Pose pose = {};          ///< pose in the scenario's frame
   double v = 0.0;          ///< speed [m/s]; negative in reverse
   double curvature = 0.0;  ///< curvature of the wheels [1/m]
-  /// Hitch angle [rad]; [-pi, pi]. None: that of the last answer. Ignored without a trailer.
+  /// Hitch angle [rad]; [-pi, pi]. None: that of the last answer. Ignored without a trailer. Up to
+  /// 10 degrees beyond `Vehicle::max_hitch_angle` the plan begins at that limit. Further beyond, no
+  /// drive is safe.
   std::optional<double> hitch_angle = {};
 };
 
@@ -176,8 +179,9 @@ class Replanner {
   /// answer then stays as it was.
   ReplanAnswer tick(double t, const TickLimit& limit = {});
 
-  /// Plans at time `t` [s] for a vehicle in that state. Beyond 0.5 m, 0.5 m/s or 10 degrees from
-  /// the last answer the plan begins at the state, otherwise at the planned state. The first tick
+  /// Plans at time `t` [s] for a vehicle in that state. Beyond 0.5 m, 0.5 m/s or 10 degrees of
+  /// heading or hitch angle from the last answer the plan begins at the state, otherwise at the
+  /// planned state. The first tick
   /// begins at the scenario's start and ignores the state. Throws InputError naming "t",
   /// "state.pose", "state.v", "state.curvature" or "state.hitch_angle" that is not finite or out of
   /// range; the answer then stays as it was.

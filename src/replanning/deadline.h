@@ -14,9 +14,13 @@ namespace vandplan::replanning {
 /// End of a search, at a time or when the caller asks for it. It begins when it is made.
 class Deadline {
  public:
-  /// `time_limit` is in seconds; none: no limit.
-  explicit Deadline(std::optional<double> time_limit = {}, const std::stop_token& stop = {})
-      : options_{.time_limit = time_limit, .stop = stop}, budget_(options_) {}
+  /// A deadline that never comes.
+  Deadline() : budget_(options_) {}
+  /// `time_limit` is in seconds, of the clock of `plans`; none: no limit.
+  Deadline(std::optional<double> time_limit, const std::stop_token& stop,
+           const BudgetOptions& plans)
+      : options_{.time_limit = time_limit, .stop = stop, .processor_time = plans.processor_time},
+        budget_(options_) {}
 
   [[nodiscard]] bool is_over() const { return budget_.is_interrupted(); }
 
@@ -26,7 +30,6 @@ class Deadline {
     if (!options_.time_limit) return budget;
     const double left = std::max(*options_.time_limit - budget_.elapsed(), 0.0);
     budget.time_limit = std::min(budget.time_limit.value_or(left), left);
-    budget.processor_time = false;
     return budget;
   }
 

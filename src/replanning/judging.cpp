@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "base/text.h"
+#include "replanning/deviation.h"
 #include "vandplan/drive_check.h"
 #include "vandplan/path_check.h"
 
@@ -30,7 +32,17 @@ Problem Judging::problem_of(const CutDrive& drive, bool reaches_goal) const {
   return with_moving(problem_to(scene_, scene_.vehicle, drive.begin, end), scene_.moving);
 }
 
+/// Fault of a rig that is folded up before the drive; good if it is not. No drive is any better.
+Verdict Judging::of_begin(const CutDrive& drive) const {
+  const double angle = drive.begin.hitch_angle;
+  if (!is_folded_up(scene_.vehicle, angle)) return {};
+  return {"the rig is folded up (jackknife): its hitch angle is " + base::shortest_text(angle) +
+              " rad, its limit " + base::shortest_text(scene_.vehicle.max_hitch_angle) + " rad",
+          0.0};
+}
+
 Verdict Judging::of_drive(const CutDrive& drive, bool reaches_goal, double margin) const {
+  if (Verdict begin = of_begin(drive); !begin.is_good()) return begin;
   const Problem problem = problem_of(drive, reaches_goal);
   ClearanceOptions clearance = clearance_;
   clearance.margin = margin;
@@ -41,6 +53,7 @@ Verdict Judging::of_drive(const CutDrive& drive, bool reaches_goal, double margi
 }
 
 Verdict Judging::of_path(const CutDrive& drive, bool reaches_goal) const {
+  if (Verdict begin = of_begin(drive); !begin.is_good()) return begin;
   return {check_path(problem_of(drive, reaches_goal), drive.drive.path, {.clearance = clearance_})
               .reason};
 }
@@ -52,7 +65,7 @@ Verdict Judging::of_company(const CutDrive& drive, bool reaches_goal) const {
 
 double Judging::met_at(const CutDrive& drive, bool reaches_goal) const {
   const Problem problem = problem_of(drive, reaches_goal);
-  if (!check_path(problem, drive.drive.path).valid) return 0.0;
+  if (!of_begin(drive).is_good() || !check_path(problem, drive.drive.path).valid) return 0.0;
   const DriveCheck check = check_company(problem, drive.drive);
   return check.valid ? never_met : check.t.value_or(0.0);
 }

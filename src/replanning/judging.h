@@ -13,7 +13,8 @@ namespace vandplan::replanning {
 /// Verdict of the judge on a drive.
 struct Verdict {
   std::string fault = {};  ///< first fault of the drive; empty if there is none
-  /// Time of the meeting, if the fault is a moving obstacle [s]; otherwise infinite.
+  /// Time of the meeting, if the fault is a moving obstacle [s]; 0 if the rig is folded up;
+  /// otherwise infinite.
   double met = std::numeric_limits<double>::infinity();
 
   [[nodiscard]] bool is_good() const noexcept { return fault.empty(); }
@@ -41,6 +42,7 @@ class Judging {
  private:
   /// Problem of a drive among the moving obstacles from now on.
   [[nodiscard]] Problem problem_of(const CutDrive& drive, bool reaches_goal) const;
+  [[nodiscard]] Verdict of_begin(const CutDrive& drive) const;
 
   const Scene& scene_;
   const ClearanceOptions& clearance_;

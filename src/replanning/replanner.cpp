@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -17,6 +16,7 @@
 #include "drive/plant.h"
 #include "problem/moving.h"
 #include "replanning/checks.h"
+#include "replanning/deviation.h"
 #include "replanning/judging.h"
 #include "replanning/known_ground.h"
 #include "replanning/ways.h"
@@ -35,10 +35,7 @@ constexpr double calm_share = 0.3;        // factor of `tick_iterations` if the 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr std::array looks = {Look::new_times, Look::from_stop, Look::without_stop, Look::around};
 constexpr double left_for_judge = 0.01;  // part of a time limit that is kept from looks [s]
-constexpr double off_place = 0.5;        // largest distance from the drive [m]
-constexpr double off_speed = 0.5;        // largest error of speed [m/s]
-constexpr double off_heading = std::numbers::pi / 18;  // largest error of heading [rad]
-constexpr double still = 0.05;  // largest measured speed of a vehicle that stands [m/s]
+constexpr double still = 0.05;           // largest measured speed of a vehicle that stands [m/s]
 
 /// Checks that the current drive has passed; they hold for the rest of it.
 struct Judged {
@@ -96,9 +93,10 @@ class Replanner::Impl {
     check_limit(limit);
     const std::optional<double>& time = limit.time_limit;
     const double most = time.value_or(0.0);
-    end_ = Deadline(time, limit.stop);
+    const BudgetOptions& plans = options_.plan.budget;
+    end_ = Deadline(time, limit.stop, plans);
     end_of_looks_ = Deadline(time ? std::optional(most - std::min(most / 2, left_for_judge)) : time,
-                             limit.stop);
+                             limit.stop, plans);
     if (t < last_t_) {
       throw InputError("t", "is " + base::shortest_text(t) + " s, expected no less than " +
                                 base::shortest_text(last_t_) + " s, the time of the last tick");
@@ -207,20 +205,9 @@ class Replanner::Impl {
   /// Replaces the drive by unchecked braking if the vehicle is too far from the planned state.
   void catch_up(double t, const VehicleState& state) {
     const RigMotion planned = rest_at(t).begin;
-    const double hitch_angle = state.hitch_angle.value_or(planned.hitch_angle);
-    const bool is_folded =
-        scene_.vehicle.trailer && std::abs(hitch_angle - planned.hitch_angle) > off_heading;
-    const Pose pose = {state.pose.x - ground_.origin().x, state.pose.y - ground_.origin().y,
-                       state.pose.heading};
-    const Pose off = relative(planned.pose, pose);
-    if (std::hypot(off.x, off.y) <= off_place && std::abs(off.heading) <= off_heading &&
-        std::abs(state.v - planned.v) <= off_speed && !is_folded) {
-      return;
-    }
-    const RigMotion now{
-        {.pose = pose, .curvature = state.curvature, .gear = gear_of(state.v), .v = state.v},
-        scene_.vehicle.trailer ? hitch_angle : 0.0};
-    NewDrive way = Ways(scene_, options_.plan, end_).braking({standing_at(pose), now});
+    const RigMotion now = measured_motion(scene_.vehicle, state, planned, ground_.origin());
+    if (!is_off(now, planned)) return;
+    NewDrive way = Ways(scene_, options_.plan, end_).braking({standing_at(now.pose), now});
     set({.outcome = TickOutcome::none,
          .begin = t,
          .drive = std::make_shared<const TimedPath>(std::move(way.drive)),
@@ -234,7 +221,11 @@ class Replanner::Impl {
 
   /// Rest of the current drive from time `t` on [s].
   [[nodiscard]] CutDrive rest_at(double t) const {
-    return rest_of(*answer_.drive, scene_.vehicle, t - answer_.begin, answer_.start_hitch_angle);
+    CutDrive rest =
+        rest_of(*answer_.drive, scene_.vehicle, t - answer_.begin, answer_.start_hitch_angle);
+    // Unchecked braking may fold the rig beyond its limit.
+    rest.begin.hitch_angle = planned_hitch_angle(scene_.vehicle, rest.begin.hitch_angle);
+    return rest;
   }
 
   void go_on(double t) {
@@ -289,9 +280,11 @@ class Replanner::Impl {
     return take_cheapest(t, found, rest.begin);
   }
 
-  /// Takes the last candidate that the judge accepts, and removes the later ones.
+  /// Takes the last candidate that the judge accepts, and removes the later ones. When the time is
+  /// over, only one is judged.
   bool take_cheapest(double t, std::vector<NewDrive>& found, const RigMotion& now) {
-    for (; !found.empty(); found.pop_back()) {
+    for (bool is_first = true; !found.empty(); found.pop_back(), is_first = false) {
+      if (!is_first && end_.is_over()) return false;
       if (!judged(found.back(), now, margin()).is_good()) continue;
       take(t, std::move(found.back()), now);
       return true;

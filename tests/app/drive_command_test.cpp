@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the Vändplan authors
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -290,6 +291,64 @@ TEST_F(ReplanCommand, RefusesWhatIsWrongAndLeavesFilesAlone) {
   EXPECT_EQ(rate.status, 2);
   EXPECT_NE(rate.err.find("--rate requires --actions"), std::string::npos) << rate.err;
   EXPECT_EQ(content_of(csv_), "mine");
+}
+
+/// A street for a semitrailer, with a box on its way.
+constexpr const char* street_of_rig = R"(name: street
+vehicle: tractor-semitrailer
+bounds: {x: [-40, 80], y: [-25, 25]}
+start: {x: 0, y: 0, heading: 0, hitch_angles: [0.2]}
+goal: {x: 60, y: 0, heading: 0}
+obstacles: [[[35, -3], [37, -3], [37, 3], [35, 3]]]
+)";
+
+TEST_F(ReplanCommand, DrivesARig) {
+  write_content(scenario_, street_of_rig);
+  const Outcome outcome = replan({"--sensor-range", "30", "--set", "margin=0.3", "--set",
+                                  "max_iterations=1500", "--spare-steering", "0.1", "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json.at("arrived"), 1);
+  EXPECT_EQ(json.at("contacts"), 0);
+  EXPECT_EQ(json.at("ticks_without_answer"), 0);
+  EXPECT_GE(json.at("route_changes"), 1);
+}
+
+TEST_F(ReplanCommand, WritesTheHitchAnglesOfARig) {
+  write_content(scenario_, replaced(street_of_rig, "x: 60", "x: 15"));
+  const Outcome outcome =
+      replan({"--set", "max_iterations=500", "-o", csv_, "--draw", picture_, "--seed", "2"});
+  ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  const std::string log = content_of(csv_);
+  EXPECT_NE(log.find(",heading_error,hitch_angle\n"), std::string::npos) << log.substr(0, 200);
+  const std::string first = log.substr(log.find('\n') + 1);
+  EXPECT_EQ(first.substr(0, first.find('\n')).rfind(",0.2"), first.find('\n') - 4) << first;
+  EXPECT_NE(content_of(picture_).find("<animateTransform"), std::string::npos);
+}
+
+TEST_F(ReplanCommand, SaysWhatIsWrongWithARig) {
+  const auto error_of = [&](const std::string& from, const std::string& to,
+                            const std::vector<std::string>& options = {}) {
+    write_content(scenario_, replaced(street_of_rig, from, to));
+    const Outcome outcome = replan(options);
+    EXPECT_EQ(outcome.status, 2) << outcome.out;
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+    return outcome.err;
+  };
+  const std::string folded = error_of("[0.2]", "[1.3]");
+  EXPECT_NE(
+      folded.find("yard.yaml:4: start.hitch_angles: has 1.3, expected at most max_hitch_angle"),
+      std::string::npos)
+      << folded;
+  const std::string jerk =
+      error_of("vehicle: tractor-semitrailer",
+               "vehicle: {wheelbase: 3.6, front_overhang: 1.4, rear_overhang: 0.9, width: 2.55, "
+               "min_turning_radius: 5.9, max_jerk: 1, hitch: 0.6, max_hitch_angle: 1.2, trailers: "
+               "[{wheelbase: 7.7, front_overhang: 1.6, rear_overhang: 4.3, width: 2.55}]}");
+  EXPECT_NE(jerk.find("vehicle.max_jerk"), std::string::npos) << jerk;
+  const std::string stanley = error_of("name: street", "name: road", {"--controller", "stanley"});
+  EXPECT_NE(stanley.find("--controller: stanley drives a trailer forward only"), std::string::npos)
+      << stanley;
 }
 
 TEST_F(ReplanCommand, ComparesScenarios) {

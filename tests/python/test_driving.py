@@ -2,6 +2,8 @@
 # Copyright (c) 2026, the Vändplan authors
 """Simulated drives, and plans that are made anew while driving."""
 
+import pickle
+
 import numpy as np
 import pytest
 from conftest import WALL
@@ -75,6 +77,26 @@ def test_a_replanner_plans_anew(street):
     with pytest.raises(vp.InputError, match="not finite"):
         replanner.tick(2, pose=(np.nan, 0, 0))
     assert replanner.tick(2.0) is not None
+
+
+def test_a_rig_replans_from_its_hitch_angle():
+    lane = vp.Scenario(
+        (0, 0, 0), (60, 0, 0), vehicle="tractor-semitrailer", bounds=(-40, 100, -30, 30), start_hitch_angle=0.3
+    )
+    replanner = vp.Replanner(lane, max_iterations=1000)
+    first = replanner.tick(0)
+    assert first.reaches_goal and first.start_hitch_angle == 0.3
+    assert pickle.loads(pickle.dumps(first)).start_hitch_angle == 0.3
+    near = replanner.tick(0, pose=lane.start, hitch_angle=0.4)
+    assert near.outcome == "kept" and near.start_hitch_angle == 0.3
+    other = replanner.tick(0, pose=lane.start, hitch_angle=-0.5)
+    assert other.is_safe and other.start_hitch_angle == -0.5
+    folded = replanner.tick(0, pose=lane.start, hitch_angle=1.5)
+    assert not folded and "folded up" in folded.reason
+    with pytest.raises(vp.InputError, match=r"state.hitch_angle: is 4, expected -pi to pi"):
+        replanner.tick(0, pose=lane.start, hitch_angle=4)
+    with pytest.raises(vp.InputError, match="hitch_angle: is given without a pose"):
+        replanner.tick(0, hitch_angle=0.1)
 
 
 def test_cells_that_are_seen_are_patched():

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "replanning/sensor.h"
+#include "support/place_of_error.h"
 #include "support/problems.h"
 #include "vandplan/drive_check.h"
 #include "vandplan/input_error.h"
@@ -121,6 +122,55 @@ TEST(LiveDrive, RefusesOptionsThatAreNone) {
   LiveDriveOptions options = with_margin(0);
   options.period = 0.03;
   EXPECT_THROW((void)drive_live(yard(), options), InputError);
+}
+
+LiveDriveOptions for_rig(double margin) {
+  LiveDriveOptions options = with_margin(margin);
+  options.replan.plan.budget.max_iterations = 2000;
+  options.drive.spare_steering = 0.1;
+  return options;
+}
+
+TEST(LiveDrive, GoesRoundWhatARigSeesOnItsWay) {
+  Scenario scenario = yard();
+  scenario.vehicle = semitrailer();
+  scenario.bounds = {-40, 90, -25, 25};
+  scenario.goal = {70, 0, 0};
+  scenario.hitch_angles.start = 0.3;
+  scenario.obstacles = {box(40, -3, 42, 3)};
+  for (const double noise : {0.0, 1.0}) {
+    LiveDriveOptions options = for_rig(0.3);
+    options.sensor_range = 30;
+    options.drive.noise = noise;
+    options.drive.keep_log = true;
+    const LiveDriveResult result = drive_live(scenario, options);
+    EXPECT_TRUE(result.has_arrived) << noise;
+    EXPECT_FALSE(result.contact) << noise << ": " << result.contact->what;
+    EXPECT_GE(result.new_ways, 1) << noise;
+    EXPECT_EQ(result.ticks_without_answer, 0) << noise;
+    EXPECT_LT(result.end_distance, noise == 0.0 ? 0.1 : 0.4) << noise;
+    ASSERT_TRUE(result.log.front().hitch_angle);
+    EXPECT_NEAR(*result.log.front().hitch_angle, 0.3, 0.01);
+    EXPECT_NEAR(*result.log.back().hitch_angle, 0.0, noise == 0.0 ? 0.02 : 0.1) << noise;
+  }
+}
+
+TEST(LiveDrive, ReversesARigIntoADock) {
+  LiveDriveOptions options = for_rig(0.05);
+  options.replan.plan.budget.max_iterations = 6000;
+  const LiveDriveResult result = drive_live(dock_for(semitrailer()), options);
+  EXPECT_TRUE(result.has_arrived);
+  EXPECT_FALSE(result.contact) << result.contact->what;
+  EXPECT_EQ(result.ticks_without_answer, 0);
+  EXPECT_LT(result.end_distance, 0.1);
+}
+
+TEST(LiveDrive, RefusesAControllerThatSteersNoTrailer) {
+  Scenario scenario = yard();
+  scenario.vehicle = semitrailer();
+  LiveDriveOptions options = for_rig(0);
+  options.drive.controller = "pure-pursuit";
+  EXPECT_EQ(place_of_error([&] { (void)drive_live(scenario, options); }), "controller");
 }
 
 TEST(Sensor, SeesWhatARayMeetsAndNothingBehindIt) {

@@ -26,7 +26,7 @@ inline Scenario lane() {
 }
 
 inline replanning::CutDrive rest(const ReplanAnswer& answer, const Vehicle& vehicle, double t) {
-  return replanning::rest_of(*answer.drive, vehicle, t - answer.begin);
+  return replanning::rest_of(*answer.drive, vehicle, t - answer.begin, answer.start_hitch_angle);
 }
 
 inline Pose pose_at(const ReplanAnswer& answer, const Vehicle& vehicle, double t) {
@@ -40,6 +40,11 @@ inline std::string fault_of(const ReplanAnswer& answer, const Scenario& scenario
   now.start = left.drive.path.start;
   now.goal = answer.reaches_goal ? scenario.goal : end_pose(left.drive.path);
   now.curvatures.start = left.begin.curvature;
+  now.hitch_angles.start = left.begin.hitch_angle;
+  if (!answer.reaches_goal) {
+    now.hitch_angles.goal = replanning::hitch_angle_after(scenario.vehicle, left.begin.hitch_angle,
+                                                          left.drive.path.segments);
+  }
   for (MovingObstacle& obstacle : now.moving) {
     for (TimedPose& row : obstacle.trajectory) row.t -= t;
   }

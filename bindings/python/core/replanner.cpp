@@ -84,13 +84,15 @@ TickOutcome outcome_named(const std::string& word) {
 py::tuple answer_state(const Answered& self) {
   const ReplanAnswer& a = self.answer;
   return py::make_tuple(name_of(a.outcome), a.begin, answered_drive(self), a.start_speed,
-                        a.reaches_goal, a.is_safe, a.reason, self.vehicle, a.has_arrived);
+                        a.reaches_goal, a.is_safe, a.reason, self.vehicle, a.has_arrived,
+                        a.start_hitch_angle);
 }
 
 Answered answer_from_state(const py::tuple& state) {
   Answered self{{.outcome = outcome_named(state[0].cast<std::string>()),
                  .begin = state[1].cast<double>(),
                  .start_speed = state[3].cast<double>(),
+                 .start_hitch_angle = state[9].cast<double>(),
                  .reaches_goal = state[4].cast<bool>(),
                  .has_arrived = state[8].cast<bool>(),
                  .is_safe = state[5].cast<bool>(),
@@ -120,6 +122,9 @@ later.)");
   property(
       "begin", [](const ReplanAnswer& a) { return a.begin; },
       "Time at which the drive begins, on the replanner's clock [s].");
+  property(
+      "start_hitch_angle", [](const ReplanAnswer& a) { return a.start_hitch_angle; },
+      "Hitch angle with which the drive begins [rad]; 0 without a trailer.");
   property(
       "reaches_goal", [](const ReplanAnswer& a) { return a.reaches_goal; },
       "Whether the drive ends at the goal; otherwise it stops on the way.");
@@ -219,9 +224,13 @@ void set_goal(OwnReplanner& self, const py::object& goal) {
   });
 }
 
-std::optional<VehicleState> vehicle_state(const py::object& pose, double v, double curvature) {
-  if (pose.is_none()) return std::nullopt;
-  const VehicleState state{pose_from(pose, "pose"), v, curvature};
+std::optional<VehicleState> vehicle_state(const py::object& pose, double v, double curvature,
+                                          std::optional<double> hitch_angle) {
+  if (pose.is_none()) {
+    if (hitch_angle) throw InputError("hitch_angle", "is given without a pose, expected both");
+    return std::nullopt;
+  }
+  const VehicleState state{pose_from(pose, "pose"), v, curvature, hitch_angle};
   for (const double number :
        {state.pose.x, state.pose.y, state.pose.heading, state.v, state.curvature}) {
     if (!std::isfinite(number)) throw InputError("pose, v, curvature", "are not finite");
@@ -230,9 +239,9 @@ std::optional<VehicleState> vehicle_state(const py::object& pose, double v, doub
 }
 
 Answered tick(OwnReplanner& self, double t, const py::object& pose, double v, double curvature,
-              std::optional<double> time_limit) {
+              std::optional<double> hitch_angle, std::optional<double> time_limit) {
   if (!std::isfinite(t)) throw InputError("t", "is not finite");
-  const std::optional<VehicleState> state = vehicle_state(pose, v, curvature);
+  const std::optional<VehicleState> state = vehicle_state(pose, v, curvature, hitch_angle);
   Answered answered{{}, self.vehicle};
   {
     const Interruptible interruptible;
@@ -255,7 +264,7 @@ void bind_replanner(py::module_& module) {
 Replanner for one vehicle on its way to one goal, in a changing world.
 
 The moving obstacles of the scenario are known from the start. Equal calls give equal answers, bit
-for bit, unless a tick has a time limit. Trailers are not supported. `options` are those of `plan`.
+for bit, unless a tick has a time limit. `options` are those of `plan`.
 
 - `tick_iterations`, `tick_states`: work of a tick for ways, and for speeds among moving obstacles.
 - `committed`: time for which a drive stays unchanged if possible [s].
@@ -264,14 +273,16 @@ for bit, unless a tick has a time limit. Trailers are not supported. `options` a
 - `time_limit` [s], `max_iterations`: budget of the first plan.)")
       .def(py::init(&made_replanner), "scenario"_a)
       .def("tick", &tick, "t"_a, "pose"_a = py::none(), py::kw_only(), "v"_a = 0.0,
-           "curvature"_a = 0.0, "time_limit"_a = py::none(),
-           R"(tick(t, pose=None, *, v=0.0, curvature=0.0, time_limit=None) -> ReplanAnswer
+           "curvature"_a = 0.0, "hitch_angle"_a = py::none(), "time_limit"_a = py::none(),
+           R"(tick(t, pose=None, *, v=0.0, curvature=0.0, hitch_angle=None, time_limit=None)
+    -> ReplanAnswer
 
 Plans at time `t` [s] for a vehicle that follows the last answer.
 
-`t` must not be before that of the last tick. `pose`, speed `v` [m/s] and `curvature` of the wheels
-[1/m] are measurements. The plan begins there if the vehicle is more than 0.5 m, 0.5 m/s or 10
-degrees away from the last answer. The first tick ignores them and begins at the start.
+`t` must not be before that of the last tick. `pose`, speed `v` [m/s], `curvature` of the wheels
+[1/m] and `hitch_angle` [rad] are measurements; None: the hitch angle of the last answer. The plan
+begins there if the vehicle is more than 0.5 m, 0.5 m/s or 10 degrees away from the last answer. The
+first tick ignores them and begins at the start.
 
 With a `time_limit` the tick answers within that time [s]. It looks for better drives until 10 ms
 before, or for half of a shorter limit. Without one, equal calls give equal answers.)")
