@@ -112,8 +112,8 @@ class Replanner::Impl {
     if (!answer_.drive) {
       begin(t);
     } else {
-      if (state != nullptr) catch_up(t, *state);
-      go_on(t);
+      const bool is_lost = state != nullptr && has_braked_off(t, *state);
+      go_on(t, is_lost ? TickOutcome::stop : TickOutcome::kept);
     }
     const bool is_over = t >= answer_.begin + answer_.drive->speeds.duration;
     const bool stands = state == nullptr || std::abs(state->v) <= still;
@@ -202,11 +202,12 @@ class Replanner::Impl {
 
   [[nodiscard]] double margin() const { return options_.plan.clearance.margin; }
 
-  /// Replaces the drive by unchecked braking if the vehicle is too far from the planned state.
-  void catch_up(double t, const VehicleState& state) {
+  /// Whether the vehicle is too far from the planned state. Unchecked braking then replaces the
+  /// drive.
+  bool has_braked_off(double t, const VehicleState& state) {
     const RigMotion planned = rest_at(t).begin;
     const RigMotion now = measured_motion(scene_.vehicle, state, planned, ground_.origin());
-    if (!is_off(now, planned)) return;
+    if (!is_off(now, planned)) return false;
     NewDrive way = Ways(scene_, options_.plan, end_).braking({standing_at(now.pose), now});
     set({.outcome = TickOutcome::none,
          .begin = t,
@@ -217,6 +218,7 @@ class Replanner::Impl {
          .is_safe = false,
          .reason = "the vehicle is not where it should be"});
     judged_ = {};
+    return true;
   }
 
   /// Rest of the current drive from time `t` on [s].
@@ -228,7 +230,8 @@ class Replanner::Impl {
     return rest;
   }
 
-  void go_on(double t) {
+  /// Goes on; `otherwise` is the outcome if the drive stays though it ends on the way.
+  void go_on(double t, TickOutcome otherwise) {
     const CutDrive rest = rest_at(t);
     if (has_new_goal_) answer_.reaches_goal = judging_.of_path(rest, true).is_good();
     out_.reaches_goal = answer_.reaches_goal;
@@ -242,7 +245,7 @@ class Replanner::Impl {
     const bool stands = rest.drive.speeds.duration == 0.0;
     if (has_new_goal_ && stands && plan_from_standing(t, rest.begin)) return;
     if (look_on(t, rest, verdict)) return;
-    if (verdict.is_good()) return keep();
+    if (verdict.is_good()) return keep(otherwise);
     stop_or_brake(t, rest);
   }
 
@@ -318,8 +321,8 @@ class Replanner::Impl {
     if (!take_cheapest(t, found, rest.begin)) keep();
   }
 
-  void keep() {
-    answer_.outcome = out_.outcome = TickOutcome::kept;
+  void keep(TickOutcome outcome = TickOutcome::kept) {
+    answer_.outcome = out_.outcome = outcome;
     answer_.is_safe = out_.is_safe = true;
     answer_.reason = out_.reason = answer_.reaches_goal ? "" : judging_.reason_of_no_way();
   }

@@ -163,6 +163,18 @@ TEST(Replanner, RefusesAGoalThatIsNone) {
   EXPECT_TRUE(after.reaches_goal);
 }
 
+TEST(Replanner, StopsWhereItIsIfThatIsNotOnTheWay) {
+  ReplanOptions options;
+  options.tick_iterations = 0;  // no way on is found
+  Replanner replanner(lane(), options);
+  (void)replanner.tick(0);
+  const VehicleState aside{.pose = {0, 1, 0}};
+  const ReplanAnswer answer = replanner.tick(0, aside);
+  EXPECT_EQ(answer.outcome, TickOutcome::stop);
+  EXPECT_TRUE(answer.is_safe);
+  EXPECT_EQ(answer.drive->path.start, aside.pose);
+}
+
 TEST(Replanner, AnAnswerStaysAsItWas) {
   Replanner replanner(lane());
   const ReplanAnswer first = replanner.tick(0);
