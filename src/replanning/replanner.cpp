@@ -46,15 +46,6 @@ struct Judged {
   [[nodiscard]] bool all() const noexcept { return ground && company && times; }
 };
 
-ReplanAnswer in_frame(const ReplanAnswer& local, const Point& origin) {
-  ReplanAnswer answer = local;
-  TimedPath drive = *local.drive;
-  drive.path.start.x += origin.x;
-  drive.path.start.y += origin.y;
-  answer.drive = std::make_shared<const TimedPath>(std::move(drive));
-  return answer;
-}
-
 }  // namespace
 
 class Replanner::Impl {
@@ -91,12 +82,11 @@ class Replanner::Impl {
   void tick(double t, const VehicleState* state, const TickLimit& limit) {
     base::require(std::isfinite(t), "t", t, "a time [s]");
     check_limit(limit);
-    const std::optional<double>& time = limit.time_limit;
-    const double most = time.value_or(0.0);
     const BudgetOptions& plans = options_.plan.budget;
+    std::optional<double> time = limit.time_limit;
     end_ = Deadline(time, limit.stop, plans);
-    end_of_looks_ = Deadline(time ? std::optional(most - std::min(most / 2, left_for_judge)) : time,
-                             limit.stop, plans);
+    if (time) *time -= std::min(*time / 2, left_for_judge);
+    end_of_looks_ = Deadline(time, limit.stop, plans);
     if (t < last_t_) {
       throw InputError("t", "is " + base::shortest_text(t) + " s, expected no less than " +
                                 base::shortest_text(last_t_) + " s, the time of the last tick");
@@ -112,8 +102,7 @@ class Replanner::Impl {
     if (!answer_.drive) {
       begin(t);
     } else {
-      const bool is_lost = state != nullptr && has_braked_off(t, *state);
-      go_on(t, is_lost ? TickOutcome::stop : TickOutcome::kept);
+      go_on(t, state != nullptr && has_braked(t, *state) ? TickOutcome::stop : TickOutcome::kept);
     }
     const bool is_over = t >= answer_.begin + answer_.drive->speeds.duration;
     const bool stands = state == nullptr || std::abs(state->v) <= still;
@@ -165,7 +154,11 @@ class Replanner::Impl {
 
   void set(ReplanAnswer answer) {
     answer_ = std::move(answer);
-    out_ = in_frame(answer_, ground_.origin());
+    TimedPath drive = *answer_.drive;
+    drive.path.start.x += ground_.origin().x;
+    drive.path.start.y += ground_.origin().y;
+    out_ = answer_;
+    out_.drive = std::make_shared<const TimedPath>(std::move(drive));
   }
 
   void take(double t, NewDrive way, const RigMotion& now) {
@@ -202,9 +195,8 @@ class Replanner::Impl {
 
   [[nodiscard]] double margin() const { return options_.plan.clearance.margin; }
 
-  /// Whether the vehicle is too far from the planned state. Unchecked braking then replaces the
-  /// drive.
-  bool has_braked_off(double t, const VehicleState& state) {
+  /// Whether the vehicle is off the planned state. Unchecked braking then replaces the drive.
+  bool has_braked(double t, const VehicleState& state) {
     const RigMotion planned = rest_at(t).begin;
     const RigMotion now = measured_motion(scene_.vehicle, state, planned, ground_.origin());
     if (!is_off(now, planned)) return false;
@@ -223,16 +215,24 @@ class Replanner::Impl {
 
   /// Rest of the current drive from time `t` on [s].
   [[nodiscard]] CutDrive rest_at(double t) const {
-    CutDrive rest =
-        rest_of(*answer_.drive, scene_.vehicle, t - answer_.begin, answer_.start_hitch_angle);
-    // Unchecked braking may fold the rig beyond its limit.
-    rest.begin.hitch_angle = planned_hitch_angle(scene_.vehicle, rest.begin.hitch_angle);
-    return rest;
+    return rest_of(*answer_.drive, scene_.vehicle, t - answer_.begin, answer_.start_hitch_angle);
+  }
+
+  /// Begins now at the limit of the hitch angle if braking has folded the rig a little beyond it.
+  void unfold(double t, CutDrive& rest) {
+    const double angle = planned_hitch_angle(scene_.vehicle, rest.begin.hitch_angle);
+    if (angle == rest.begin.hitch_angle) return;
+    rest.begin.hitch_angle = answer_.start_hitch_angle = angle;
+    answer_.begin = t;
+    answer_.drive = std::make_shared<const TimedPath>(rest.drive);
+    answer_.start_speed = std::abs(rest.begin.v);
+    set(answer_);
   }
 
   /// Goes on; `otherwise` is the outcome if the drive stays though it ends on the way.
   void go_on(double t, TickOutcome otherwise) {
-    const CutDrive rest = rest_at(t);
+    CutDrive rest = rest_at(t);
+    unfold(t, rest);
     if (has_new_goal_) answer_.reaches_goal = judging_.of_path(rest, true).is_good();
     out_.reaches_goal = answer_.reaches_goal;
     const Verdict verdict = judged_again(rest);

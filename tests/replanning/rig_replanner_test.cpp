@@ -225,6 +225,8 @@ TEST(ReplannedRig, DrivesOnAfterBrakingHasFoldedItALittleTooFar) {
   EXPECT_GT(end_hitch_angle(braking, scenario.vehicle), 1.25);
   ReplanAnswer answer = replanner.tick(3);
   EXPECT_TRUE(answer.is_safe) << answer.reason;
+  EXPECT_EQ(answer.start_hitch_angle, 1.2);
+  EXPECT_EQ(fault_of(answer, scenario, 3), "");
   for (double t = 3.1; t < 6 && !answer.reaches_goal; t += tick_period) answer = replanner.tick(t);
   EXPECT_TRUE(answer.reaches_goal) << answer.reason;
   EXPECT_EQ(answer.start_hitch_angle, 1.2);
