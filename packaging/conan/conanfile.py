@@ -61,6 +61,7 @@ class Vandplan(ConanFile):
             self.requires("libpng/[>=1.6 <2]")
             self.requires("nlohmann_json/[>=3.11 <4]")
             self.requires("yaml-cpp/[>=0.7 <1]")
+            self.requires("zlib/[>=1.2.11 <2]")
             if self.options.geography:
                 self.requires("geographiclib/[>=2.3 <3]")
         if self.options.draw:
@@ -114,7 +115,7 @@ class Vandplan(ConanFile):
         if self.options.threads and self.settings.os == "Linux":
             core.system_libs.append("pthread")
         needs = {
-            "io": ["fmt::fmt", "libpng::libpng", "nlohmann_json::nlohmann_json", "yaml-cpp::yaml-cpp"],
+            "io": ["fmt::fmt", "libpng::libpng", "nlohmann_json::nlohmann_json", "yaml-cpp::yaml-cpp", "zlib::zlib"],
             "draw": ["cairo::cairo"],
             "evaluation": ["io", "draw", "sqlite3::sqlite3"],
             "ompl": ["ompl::ompl"],

@@ -19,6 +19,7 @@ class Vandplan < Formula
   depends_on "libpng"
   depends_on "sqlite"
   depends_on "yaml-cpp"
+  depends_on "zlib"
 
   resource "d3" do
     url "@D3_ADDRESS@"
