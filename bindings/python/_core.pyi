@@ -869,6 +869,9 @@ def drive_live(
     **options: Unpack[_OptionsAndThreads],
 ) -> LiveDriveResult: ...
 def draw(scenario: Scenario, result: Result | None, file: _File, width: int = 800) -> None: ...
+def record(
+    scenario: Scenario, result: Result | None, file: _File, drive: DriveResult | LiveDriveResult | None = None
+) -> None: ...
 @overload
 def compare(
     scenarios: Iterable[Scenario],

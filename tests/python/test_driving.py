@@ -137,3 +137,20 @@ def test_a_wall_in_the_way_is_seen_late():
     walled = vp.Scenario((-40, 0, 0), (40, 0, 0), bounds=(-60, 60, -40, 40), obstacles=[WALL])
     live = vp.drive_live(walled, max_iterations=500, sensor_range=15, period=0.5, longest=200)
     assert live.contact is None and live.ticks > 0
+
+
+def test_plans_and_drives_are_recorded(yard, street, tmp_path):
+    file = tmp_path / "r.mcap"
+    result = vp.plan(yard, max_iterations=500)
+    vp.record(yard, result, file)
+    plan = file.read_bytes()
+    assert plan.startswith(b"\x89MCAP0\r\n") and b"foxglove.SceneUpdate" in plan and b"/improvement" in plan
+    vp.record(yard, result, file, vp.drive(yard, result, keep_log=True))
+    assert b"/driven" in file.read_bytes() and b"/improvement" not in file.read_bytes()
+    live = vp.drive_live(street, max_iterations=500, period=0.5, keep_log=True)
+    vp.record(street, None, file, drive=live)
+    assert b"/driven" in file.read_bytes() and b"/plan" not in file.read_bytes()
+    with pytest.raises(vp.InputError, match="drive: has no log, expected keep_log=True"):
+        vp.record(yard, result, file, vp.drive(yard, result))
+    with pytest.raises(vp.InputError, match="drive: expected a DriveResult"):
+        vp.record(yard, result, file, result)

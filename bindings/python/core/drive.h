@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "bindings/python/core/result.h"
+#include "vandplan/live_drive.h"
 #include "vandplan/moving.h"
 #include "vandplan/speed.h"
 
@@ -21,6 +22,11 @@ struct PathDrive {
   double start_speed = 0.0;  ///< Speed at the begin of the drive [m/s].
 
   [[nodiscard]] TimedPath timed() const { return {path, profile}; }
+};
+
+/// Result of a live drive, with the driven path as Python sees it; `LiveDriveResult` in Python.
+struct LiveRun : LiveDriveResult {
+  PathDrive drive = {};
 };
 
 /// Drive that a result was planned with; empty if the planner left the times open.

@@ -30,11 +30,6 @@ Prediction prediction_named(const std::string& word) {
 
 // ---- drives in a closed loop ----
 
-/// Result of a live drive, with the driven path as Python sees it.
-struct LiveRun : LiveDriveResult {
-  PathDrive drive = {};
-};
-
 std::function<void(const Action&)> callback_of(const py::object& function) {
   if (function.is_none()) return {};
   return [&function](const Action& action) {

@@ -18,6 +18,7 @@
 #include "vandplan/draw.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
+#include "vandplan/recording.h"
 
 namespace vandplan::python {
 namespace {
@@ -107,6 +108,27 @@ void draw_to(const CheckedScenario& scenario, const RunResult* result, const Fil
              int width) {
   const PictureFormat format = picture_format(file.string());
   write_file(file.string(), picture_of(scenario, result, format, width));
+}
+
+/// A drive of `drive` or `drive_live` as it is recorded; none for None.
+std::optional<RecordedDrive> recorded_drive(const py::object& given) {
+  const auto of = [](const auto& drive) {
+    if (drive.log.empty()) throw InputError("drive", "has no log, expected keep_log=True");
+    return RecordedDrive{drive.log, drive.has_arrived, drive.contact};
+  };
+  if (given.is_none()) return std::nullopt;
+  if (py::isinstance<DriveResult>(given)) return of(given.cast<const DriveResult&>());
+  if (py::isinstance<LiveRun>(given)) return of(given.cast<const LiveRun&>());
+  throw InputError("drive", "expected a DriveResult or a LiveDriveResult");
+}
+
+void record_to(const CheckedScenario& scenario, const RunResult* result, const FileName& file,
+               const py::object& drive) {
+  const Recording recording{.scenario = &scenario.scenario(),
+                            .plan = result == nullptr ? nullptr : &plan_of(*result),
+                            .drive = recorded_drive(drive)};
+  const py::gil_scoped_release release;
+  record(file.string(), recording);
 }
 
 void bind_result_class(py::module_& module) {
@@ -238,6 +260,14 @@ void bind_result(py::module_& module) {
 Draws a scenario, and a result unless that is None, into a file (.png, .svg or .pdf).
 
 `width` is in pixels or points. `plot` draws with matplotlib instead.)");
+  module.def("record", &record_to, "scenario"_a, "result"_a.none(true), "file"_a,
+             "drive"_a = py::none(), R"(record(scenario, result, file, drive=None)
+
+Writes a recording for Foxglove or Lichtblick (.mcap).
+
+`result` is a `Result` or None, `drive` a `DriveResult` or `LiveDriveResult` with a log
+(keep_log=True). Without a drive the recording shows the run of the planner, and the fastest drive
+along its path.)");
   module.def("read_result", &result_in, "scenario"_a, "file"_a,
              "read_result(scenario, file) -> Result\n\nReads a result file that belongs to this "
              "scenario.");
