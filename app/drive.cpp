@@ -17,8 +17,10 @@
 #include "live.h"
 #include "option_flags.h"
 #include "pictures.h"
+#include "recordings.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
+#include "vandplan/recording.h"
 #include "wording.h"
 
 namespace vandplan::app {
@@ -37,6 +39,7 @@ struct DriveArguments {
   int runs = 1;
   std::optional<std::string> output;
   std::optional<std::string> picture;
+  std::optional<std::string> recording;
   bool json = false;
 };
 
@@ -289,11 +292,13 @@ void print_summary(const Choice& choice, const DriveArguments& arguments, const 
                  : "");
 }
 
-/// Repeats the drive with the seed of the totals, and writes its log and picture.
+/// Repeats the drive with the seed of the totals, and writes its log, picture and recording.
 void write_worst(const Choice& choice, const DriveArguments& arguments, const DriveTotals& totals) {
-  if (!arguments.output && !arguments.picture) return;
+  if (!arguments.output && !arguments.picture && !arguments.recording) return;
   if (totals.worst.duration / row_duration > most_rows) {
-    throw InputError(arguments.output ? "--output" : "--draw",
+    throw InputError(arguments.output    ? "--output"
+                     : arguments.picture ? "--draw"
+                                         : "--record",
                      fmt::format("would have more than {} rows", most_rows));
   }
   DriveOptions options = arguments.options;
@@ -308,6 +313,10 @@ void write_worst(const Choice& choice, const DriveArguments& arguments, const Dr
     write_picture(*arguments.picture, choice.scenario, choice.record, {poses, caption});
   }
   if (arguments.output) write_file(*arguments.output, csv_of(result.log));
+  if (arguments.recording) {
+    record(*arguments.recording, {&choice.scenario, &choice.record.result,
+                                  RecordedDrive{result.log, result.has_arrived, result.contact}});
+  }
 }
 
 void check_arguments(const DriveArguments& arguments) {
@@ -315,6 +324,7 @@ void check_arguments(const DriveArguments& arguments) {
     throw InputError("--runs", fmt::format("is {}, expected 1 to {}", arguments.runs, most_runs));
   }
   if (arguments.picture) expect_picture(*arguments.picture);
+  if (arguments.recording) expect_recording(*arguments.recording);
   if (arguments.output) {
     expect_drive_output(*arguments.output, {"a drive is CSV", {".csv"}}, arguments.json);
   }
@@ -323,9 +333,9 @@ void check_arguments(const DriveArguments& arguments) {
 int run(DriveArguments& arguments) {
   check_arguments(arguments);
   if (arguments.live.period) {
-    return drive_again_and_again(
-        arguments.path.scenario, arguments.live,
-        {arguments.options, arguments.runs, arguments.output, arguments.picture, arguments.json});
+    return drive_again_and_again(arguments.path.scenario, arguments.live,
+                                 {arguments.options, arguments.runs, arguments.output,
+                                  arguments.picture, arguments.recording, arguments.json});
   }
   if (arguments.path.result.empty()) {
     throw InputError("RESULT", "is not given, expected a result file, or --replan");
@@ -391,6 +401,8 @@ void add_options(CLI::App& command, DriveArguments& arguments) {
       ->type_name("FILE");
   command.add_option("--draw", arguments.picture, "Picture of that drive (.svg, .png or .pdf)")
       ->type_name("FILE");
+  add_record(command, arguments.recording,
+             "Recording of that drive (.mcap), for Foxglove or Lichtblick");
 }
 
 }  // namespace

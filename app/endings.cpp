@@ -13,9 +13,9 @@ namespace {
 
 /// Endings that stand for a known format.
 constexpr std::string_view known_endings[] = {
-    ".bmp",   ".csv",    ".db",     ".gif", ".html", ".jpeg", ".jpg",  ".json",
-    ".jsonl", ".md",     ".ndjson", ".pdf", ".pgm",  ".png",  ".svg",  ".toml",
-    ".tsv",   ".sqlite", ".vpr",    ".xls", ".xlsx", ".xml",  ".yaml", ".yml"};
+    ".bmp",   ".csv",    ".db",  ".geojson", ".gif",  ".html", ".jpeg", ".jpg", ".json",
+    ".jsonl", ".mcap",   ".md",  ".ndjson",  ".pdf",  ".pgm",  ".png",  ".svg", ".toml",
+    ".tsv",   ".sqlite", ".vpr", ".xls",     ".xlsx", ".xml",  ".yaml", ".yml"};
 
 std::string lower(std::string text) {
   std::ranges::transform(text, text.begin(),

@@ -12,10 +12,12 @@
 #include "endings.h"
 #include "evaluation/statistics.h"
 #include "pictures.h"
+#include "recordings.h"
 #include "vandplan/draw.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
+#include "vandplan/recording.h"
 #include "vandplan/scenario_file.h"
 #include "wording.h"
 
@@ -243,10 +245,10 @@ void write_live_picture(const std::string& picture, const Scenario& scenario,
   write_file(picture, draw(drawing, format, live_picture_width));
 }
 
-/// Repeats the drive with the seed `seed`, and writes its log, actions and picture.
+/// Repeats the drive with the seed `seed`, and writes its log, actions, picture and recording.
 void write_live(const ScenarioFile& file, LiveDriveOptions options, const LiveArguments& arguments,
                 const LiveRuns& runs, std::uint64_t seed) {
-  if (!runs.output && !runs.picture && !arguments.actions) return;
+  if (!runs.output && !runs.picture && !runs.recording && !arguments.actions) return;
   options.drive.seed = options.replan.plan.budget.seed = seed;
   options.drive.keep_log = true;
   if (arguments.actions) options.action_rate = arguments.rate;
@@ -257,10 +259,16 @@ void write_live(const ScenarioFile& file, LiveDriveOptions options, const LiveAr
   if (runs.picture) write_live_picture(*runs.picture, file.scenario, result);
   if (runs.output) write_file(*runs.output, csv_of(result.log));
   if (arguments.actions) write_file(*arguments.actions, actions);
+  if (runs.recording) {
+    record(*runs.recording,
+           {.scenario = &file.scenario,
+            .drive = RecordedDrive{result.log, result.has_arrived, result.contact}});
+  }
 }
 
 void check_live_outputs(const LiveArguments& arguments, const LiveRuns& runs) {
   if (runs.picture) expect_picture(*runs.picture);
+  if (runs.recording) expect_recording(*runs.recording);
   for (const auto& [flag, name] :
        {std::pair{"--output", &runs.output}, std::pair{actions_flag, &arguments.actions}}) {
     if (!*name) continue;

@@ -28,8 +28,9 @@ struct LiveArguments {
 struct LiveRuns {
   DriveOptions drive = {};
   int runs = 1;
-  std::optional<std::string> output = {};   ///< file of the log; none: not written
-  std::optional<std::string> picture = {};  ///< file of the picture; none: not drawn
+  std::optional<std::string> output = {};     ///< file of the log; none: not written
+  std::optional<std::string> picture = {};    ///< file of the picture; none: not drawn
+  std::optional<std::string> recording = {};  ///< file of the recording; none: not recorded
   bool json = false;
 };
 

@@ -13,9 +13,12 @@
 #include "option_flags.h"
 #include "pictures.h"
 #include "plan_poses.h"
+#include "recordings.h"
 #include "table_source.h"
 #include "vandplan/files.h"
+#include "vandplan/input_error.h"
 #include "vandplan/primitives_file.h"
+#include "vandplan/recording.h"
 #include "vandplan/result_file.h"
 #include "wording.h"
 
@@ -29,6 +32,7 @@ struct PlanArguments {
   std::optional<std::string> table;
   std::optional<std::string> primitives;
   std::optional<std::string> output;
+  std::optional<std::string> recording;
   PictureWish picture;
   std::optional<std::string> poses;
   std::optional<evaluation::Shard> shard;
@@ -102,6 +106,15 @@ void check_outputs(const PlanArguments& arguments) {
   if (arguments.output && !arguments.poses) expect_ending(*arguments.output, result_file);
   if (arguments.output) expect_writable(*arguments.output);
   if (!arguments.picture.file.empty()) expect_picture(arguments.picture.file);
+  if (arguments.recording) expect_recording(*arguments.recording);
+}
+
+/// Throws InputError for outputs that do not go with the scenario.
+void check_outputs(const PlanArguments& arguments, const ScenarioFile& file) {
+  expect_one_path(arguments.picture, file);
+  if (arguments.recording && file.is_row()) {
+    throw InputError("--record", "is for one path, the scenario has a row of goals");
+  }
 }
 
 void warn_of_ignored(const std::string& file, const std::vector<Setting>& wanted,
@@ -130,7 +143,7 @@ int run(const PlanArguments& arguments) {
   const ScenarioProblems read = read_problems(arguments.scenario);
   PlanOptions options = options_with(read.file.options, read.file.scenario.vehicle);
   options.budget.stop = stop;
-  expect_one_path(arguments.picture, read.file);
+  check_outputs(arguments, read.file);
   warn(read.file.warnings);
   warn_of_ignored(arguments.scenario, read.file.options, planner);
   if (arguments.poses) {
@@ -142,6 +155,10 @@ int run(const PlanArguments& arguments) {
   const std::vector<ResultRecord> records = plan_goals(read, planner, options);
   if (arguments.output) write_results(*arguments.output, read.file, records);
   if (!arguments.picture.file.empty()) write_picture(arguments.picture, read.file, records);
+  if (arguments.recording) {
+    record(*arguments.recording,
+           {.scenario = &read.file.scenario, .plan = &records.front().result});
+  }
   if (arguments.json) {
     write_results("-", read.file, records);
   } else {
@@ -200,12 +217,14 @@ void add_plan(CLI::App& vandplan, int& status) {
   command->add_option("--output", arguments->output, "Result (JSON; .vpr: binary)")
       ->type_name("FILE");
   add_picture(*command, arguments->picture);
+  add_record(*command, arguments->recording,
+             "Recording of the run and the planned drive (.mcap), for Foxglove\nor Lichtblick");
   command
       ->add_option("--poses", arguments->poses,
                    "Plan many pairs of start and goal (CSV: x, y, heading of both);\n"
                    "--output then writes one result per line (JSON Lines) or .vpr")
       ->type_name("FILE")
-      ->excludes("--draw");
+      ->excludes("--draw", "--record");
   command
       ->add_option("--jobs", arguments->jobs,
                    "Pairs planned at once; 0: one per processor; up to 1024")

@@ -3,7 +3,7 @@
 #pragma once
 // How do I look at a plan or a drive over time, in Foxglove or Lichtblick?
 //
-// A recording is an MCAP file with Foxglove's schemas.
+// A recording is an MCAP file with Foxglove's schemas. Its topics: docs/recording.md.
 
 #include <optional>
 #include <span>
