@@ -46,11 +46,12 @@ void write_map(Scenario& scenario, const std::string& output) {
 }
 
 /// Writes a scenario and prints a summary, or JSON with the members of `more`.
-void write(Scenario scenario, const ConvertArguments& arguments,
+void write(ScenarioFile file, const ConvertArguments& arguments,
            const nlohmann::ordered_json& more = nlohmann::ordered_json::object()) {
+  Scenario& scenario = file.scenario;
   expect_ending(arguments.output, scenario_file);
   if (scenario.map) write_map(scenario, arguments.output);
-  write_file(arguments.output, to_yaml(scenario));
+  write_file(arguments.output, to_yaml(file));
   if (arguments.json) {
     nlohmann::ordered_json json = {{"scenario", scenario.name}, {"output", arguments.output}};
     json.update(more);
@@ -84,7 +85,7 @@ void add_tpcap(CLI::App& convert) {
   const auto arguments = std::make_shared<ConvertArguments>();
   tpcap->add_option("CASE", arguments->input, "Case (CSV)")->required();
   add_output(*tpcap, arguments);
-  tpcap->callback([arguments] { write(read_tpcap(arguments->input), *arguments); });
+  tpcap->callback([arguments] { write({read_tpcap(arguments->input)}, *arguments); });
 }
 
 void add_movingai(CLI::App& convert) {
@@ -102,7 +103,7 @@ void add_movingai(CLI::App& convert) {
       ->capture_default_str();
   add_vehicle(*movingai, problem.vehicle);
   add_output(*movingai, arguments);
-  movingai->callback([arguments] { write(read_movingai(arguments->movingai), *arguments); });
+  movingai->callback([arguments] { write({read_movingai(arguments->movingai)}, *arguments); });
 }
 
 void add_dynobench(CLI::App& convert) {
@@ -113,7 +114,7 @@ void add_dynobench(CLI::App& convert) {
   add_vehicle(*dynobench, arguments->vehicle);
   add_output(*dynobench, arguments);
   dynobench->callback(
-      [arguments] { write(read_dynobench(arguments->input, arguments->vehicle), *arguments); });
+      [arguments] { write({read_dynobench(arguments->input, arguments->vehicle)}, *arguments); });
 }
 
 /// Pose of a flag with a text such as "3.5,-2,1.57"; none if the text is empty. Throws InputError
@@ -154,7 +155,7 @@ void convert_geojson(GeoJsonArguments& arguments) {
     more["origin"] = {{"longitude", read.origin->longitude}, {"latitude", read.origin->latitude}};
   }
   warn(read.warnings);
-  write(read.scenario, arguments.general, more);
+  write({.scenario = read.scenario, .origin = read.origin}, arguments.general, more);
   if (arguments.general.json) return;
   if (read.origin) {
     fmt::print("  origin at longitude {}, latitude {}\n", read.origin->longitude,

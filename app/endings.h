@@ -15,7 +15,8 @@ struct FileKind {
   std::vector<std::string_view> endings;
 };
 
-inline const FileKind result_file = {"a result is JSON or binary", {".json", ".vpr"}};
+inline const FileKind result_file = {"a result is JSON, binary or GeoJSON",
+                                     {".json", ".vpr", ".geojson"}};
 inline const FileKind result_lines_file = {"results of --poses are JSON Lines or binary",
                                            {".jsonl", ".vpr", ".ndjson", ".json"}};
 inline const FileKind scenario_file = {"a scenario is YAML", {".yaml", ".yml"}};

@@ -112,6 +112,7 @@ void check_outputs(const PlanArguments& arguments) {
 /// Throws InputError for outputs that do not go with the scenario.
 void check_outputs(const PlanArguments& arguments, const ScenarioFile& file) {
   expect_one_path(arguments.picture, file);
+  if (arguments.output) expect_format(*arguments.output, file);
   if (arguments.recording && file.is_row()) {
     throw InputError("--record", "is for one path, the scenario has a row of goals");
   }
@@ -214,7 +215,9 @@ void add_plan(CLI::App& vandplan, int& status) {
       ->add_option("--primitives", arguments->primitives,
                    "Primitives of lattice planners: Nav2 (.json) or SBPL (.mprim)")
       ->type_name("FILE");
-  command->add_option("--output", arguments->output, "Result (JSON; .vpr: binary)")
+  command
+      ->add_option("--output", arguments->output,
+                   "Result (JSON; .vpr: binary; .geojson: the path on a map)")
       ->type_name("FILE");
   add_picture(*command, arguments->picture);
   add_record(*command, arguments->recording,

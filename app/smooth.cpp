@@ -112,6 +112,7 @@ int run(const SmoothArguments& arguments) {
   const ScenarioProblems read = read_problems(arguments.scenario);
   warn(read.file.warnings);
   expect_one_path(arguments.picture, read.file);
+  if (arguments.output) expect_format(*arguments.output, read.file);
   ResultReader reader(arguments.result, read.file);
   if (reader.has_pairs()) {
     throw InputError(arguments.result, "holds results of many pairs, expected one result");
@@ -151,7 +152,9 @@ void add_smooth(CLI::App& vandplan, int& status) {
       ->type_name("NAME")
       ->capture_default_str();
   add_option_flags(*command, arguments->options);
-  command->add_option("--output", arguments->output, "Result (JSON; .vpr: binary)")
+  command
+      ->add_option("--output", arguments->output,
+                   "Result (JSON; .vpr: binary; .geojson: the path on a map)")
       ->type_name("FILE");
   add_picture(*command, arguments->picture);
   command->add_flag("--json", arguments->json, "Print JSON");

@@ -11,15 +11,9 @@
 #include <vector>
 
 #include "vandplan/problem.h"
+#include "vandplan/scenario_file.h"
 
 namespace vandplan {
-
-/// A place on the ellipsoid WGS84 [degrees].
-struct GeoPlace {
-  double longitude = 0.0;
-  double latitude = 0.0;
-  bool operator==(const GeoPlace&) const = default;
-};
 
 /// A site file, and what it does not say.
 struct GeoJsonSite {

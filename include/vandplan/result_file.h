@@ -65,8 +65,13 @@ void write_results(const ScenarioFile& file, const std::vector<ResultRecord>& re
 /// Whether the name of a result file asks for the binary form: it ends in ".vpr".
 [[nodiscard]] bool is_binary_result(std::string_view file);
 
-/// Writes a result file, whole or not at all, piece by piece: JSON, or binary if its name asks for
-/// that. "-" is standard output. Throws InputError naming the file if it cannot be written.
+/// Throws InputError naming the file if its name ends in ".geojson", but the scenario file has no
+/// `origin` or the library was built without GeographicLib.
+void expect_format(const std::string& output, const ScenarioFile& scenario);
+
+/// Writes a result file, whole or not at all, piece by piece: JSON, binary if its name ends in
+/// ".vpr", or for maps if its name ends in ".geojson". "-" is standard output. Throws InputError
+/// naming the file if it cannot be written, or as `expect_format` does.
 void write_results(const std::string& output, const ScenarioFile& file,
                    const std::vector<ResultRecord>& records);
 

@@ -26,6 +26,13 @@ struct RowGoal {
   double hitch_angle = 0.0;             ///< `EndHitchAngles::goal` of this goal [rad]
 };
 
+/// A place on the ellipsoid WGS84 [degrees].
+struct GeoPlace {
+  double longitude = 0.0;
+  double latitude = 0.0;
+  bool operator==(const GeoPlace&) const = default;
+};
+
 /// Content of a scenario file: one problem (`goal:`), or a row of problems that differ in their
 /// goals (`goals:`). The furthest goal of a row that is reached counts.
 struct ScenarioFile {
@@ -37,6 +44,8 @@ struct ScenarioFile {
   std::vector<Setting> options = {};
   /// Doubtful values that are not wrong: "file:line: key: what".
   std::vector<std::string> warnings = {};
+  /// Place of the scenario's origin on Earth, with x to the east and y to the north. None: unknown.
+  std::optional<GeoPlace> origin = {};
 
   /// Whether the file states a row of goals.
   [[nodiscard]] bool is_row() const noexcept { return !row.empty(); }

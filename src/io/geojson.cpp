@@ -366,10 +366,6 @@ GeoJsonScenario read_geojson(const GeoJsonSite& site) {
   scenario.obstacles = draft.obstacles.polygons;
   scenario.kerbs = draft.kerbs.polygons;
   scenario.inside = inside_of(draft);
-  if (result.origin) {
-    scenario.description = fmt::format("GeoJSON; origin at longitude {}, latitude {}",
-                                       result.origin->longitude, result.origin->latitude);
-  }
   try {
     check_scenario(scenario);
   } catch (const InputError& error) {

@@ -28,17 +28,45 @@ ToPlane plane_around(const GeoPlace& origin) {
   };
 }
 
+FromPlane places_around(const GeoPlace& origin) {
+  const GeographicLib::LocalCartesian plane(origin.latitude, origin.longitude);
+  return [plane](const Point& point) {
+    const auto rounded_angle = [](double degrees) { return std::round(degrees * 1e9) / 1e9; };
+    double longitude = 0.0;
+    double latitude = 0.0;
+    double height = 0.0;
+    double z = 0.0;
+    // The place lies on the ellipsoid below the plane: `z` goes down by the height above it.
+    for (int i = 0; i < 4; ++i) {
+      plane.Reverse(point.x, point.y, z, latitude, longitude, height);
+      z -= height;
+    }
+    return GeoPlace{rounded_angle(longitude), rounded_angle(latitude)};
+  };
+}
+
 }  // namespace vandplan::io
 
 bool vandplan::reads_longitudes() noexcept { return true; }
 
 #else
 
-vandplan::io::ToPlane vandplan::io::plane_around(const GeoPlace&) {
+namespace vandplan::io {
+namespace {
+
+[[noreturn]] void fail_without_library() {
   throw InputError(
       "GeographicLib",
       "is missing in this build, which longitudes and latitudes need, expected metres");
 }
+
+}  // namespace
+
+ToPlane plane_around(const GeoPlace&) { fail_without_library(); }
+
+FromPlane places_around(const GeoPlace&) { fail_without_library(); }
+
+}  // namespace vandplan::io
 
 bool vandplan::reads_longitudes() noexcept { return false; }
 

@@ -17,8 +17,15 @@ inline constexpr double largest_plane = 1e5;
 /// Converts a place to a point of the plane [m]; empty beyond `largest_plane`.
 using ToPlane = std::function<std::optional<Point>(const GeoPlace&)>;
 
+/// Converts a point of the plane [m] to its place.
+using FromPlane = std::function<GeoPlace(const Point&)>;
+
 /// Plane that touches the ellipsoid at `origin`, x to the east, y to the north. Points are rounded
 /// to 0.1 mm. Throws InputError if the library was built without GeographicLib.
 [[nodiscard]] ToPlane plane_around(const GeoPlace& origin);
+
+/// Places whose points `plane_around` gives, rounded to 1e-9 degrees. Throws as `plane_around`
+/// does.
+[[nodiscard]] FromPlane places_around(const GeoPlace& origin);
 
 }  // namespace vandplan::io

@@ -7,8 +7,11 @@
 #include <optional>
 
 #include "io/result_bytes.h"
+#include "io/result_geojson.h"
 #include "vandplan/files.h"
+#include "vandplan/geojson.h"
 #include "vandplan/goal_set.h"
+#include "vandplan/input_error.h"
 #include "vandplan/result_file.h"
 
 namespace vandplan {
@@ -35,22 +38,40 @@ void write_bytes(const ScenarioFile& file, const std::vector<ResultRecord>& reco
   writer.end();
 }
 
-}  // namespace
-
-bool is_binary_result(std::string_view file) {
-  constexpr std::string_view ending = ".vpr";
+/// Whether a name has the ending, which is in small letters.
+bool ends_in(std::string_view file, std::string_view ending) {
   if (file.size() < ending.size()) return false;
   return std::ranges::equal(file.substr(file.size() - ending.size()), ending, {}, [](char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   });
 }
 
+bool is_geojson_result(std::string_view file) { return ends_in(file, ".geojson"); }
+
+}  // namespace
+
+bool is_binary_result(std::string_view file) { return ends_in(file, ".vpr"); }
+
+void expect_format(const std::string& output, const ScenarioFile& scenario) {
+  if (!is_geojson_result(output)) return;
+  if (!reads_longitudes()) {
+    throw InputError(output, "would be GeoJSON, which this build lacks GeographicLib for");
+  }
+  if (scenario.origin) return;
+  throw InputError(output,
+                   "would be GeoJSON, but the scenario has no place on Earth, expected its key "
+                   "origin, which `vandplan convert geojson` writes");
+}
+
 void write_results(const std::string& output, const ScenarioFile& file,
                    const std::vector<ResultRecord>& records) {
+  expect_format(output, file);
   FileWriter writer(output);
   const TextSink sink = [&](std::string_view piece) { writer.write(piece); };
   if (is_binary_result(output)) {
     write_bytes(file, records, sink);
+  } else if (is_geojson_result(output)) {
+    sink(geojson_of(file, records));
   } else {
     write_results(file, records, sink);
   }

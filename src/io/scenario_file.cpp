@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "io/document.h"
@@ -92,6 +93,20 @@ std::vector<Setting> settings_from(const Document& file, const Node& node) {
   return settings;
 }
 
+GeoPlace origin_from(const Document& file, const Node& node) {
+  file.allow_only(node, {"longitude", "latitude"});
+  const Node& longitude = file.at(node, "longitude");
+  const Node& latitude = file.at(node, "latitude");
+  const GeoPlace origin{file.number(longitude), file.number(latitude)};
+  const auto expect_within = [&](const Node& angle, double value, double most) {
+    if (std::abs(value) <= most) return;
+    file.fail(angle, fmt::format("is {}, expected -{} to {} degrees", value, most, most));
+  };
+  expect_within(longitude, origin.longitude, 180);
+  expect_within(latitude, origin.latitude, 90);
+  return origin;
+}
+
 using Map = std::optional<OccupancyGrid>;
 
 /// Map that a scenario names; the name is relative to the scenario's file.
@@ -153,8 +168,9 @@ ScenarioFile scenario_from(const Document& file, const std::string& where, const
   if (const Node* const image = file.find(root, "image")) {
     file.fail(*image, "belongs into a map, expected a scenario that names this file as its map");
   }
-  file.allow_only(root, {"name", "description", "vehicle", "bounds", "start", "goal", "goals",
-                         "obstacles", "kerbs", "inside", "map", "unknown", "moving", "options"});
+  file.allow_only(
+      root, {"name", "description", "vehicle", "bounds", "start", "goal", "goals", "obstacles",
+             "kerbs", "inside", "map", "unknown", "moving", "options", "origin"});
   const Node* const goals = file.find(root, "goals");
   const Node* const goal = file.find(root, "goal");
   if (goals != nullptr && goal != nullptr) {
@@ -191,6 +207,9 @@ ScenarioFile scenario_from(const Document& file, const std::string& where, const
   }
   if (const Node* const options = file.find(root, "options")) {
     result.options = settings_from(file, *options);
+  }
+  if (const Node* const origin = file.find(root, "origin")) {
+    result.origin = origin_from(file, *origin);
   }
   warn_of_degrees(file, file.at(root, "start"), result.warnings);
   if (goal != nullptr) warn_of_degrees(file, *goal, result.warnings);
@@ -369,6 +388,10 @@ std::string to_yaml(const ScenarioFile& file) {
   if (scenario.map) {
     text += fmt::format("map: {}\n", quoted(scenario.map_file));
     if (scenario.map->unknown_is_free) text += "unknown: free\n";
+  }
+  if (file.origin) {
+    text += fmt::format("origin: {{longitude: {}, latitude: {}}}\n", file.origin->longitude,
+                        file.origin->latitude);
   }
   text += moving_to_yaml(scenario.moving);
   if (!file.options.empty()) text += "options:\n";

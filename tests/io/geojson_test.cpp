@@ -248,7 +248,6 @@ TEST_F(GeoJson, LongitudesAndLatitudesBecomeMetres) {
     // By the radii of curvature of WGS84 at 60 degrees: 0.001 degrees are 55.8 m and 111.4 m.
     EXPECT_NEAR(made.scenario.goal.x, 55.800, 0.003);
     EXPECT_NEAR(made.scenario.goal.y, 111.412, 0.003);
-    EXPECT_EQ(made.scenario.description, "GeoJSON; origin at longitude 12, latitude 60");
   }
   EXPECT_EQ(message(collection(site + feature("{}", "Polygon", square)), false),
             "a.geojson:4: features[2].geometry.coordinates[0][0]: is [10, 10], expected a place "
