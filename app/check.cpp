@@ -8,7 +8,7 @@
 
 #include "commands.h"
 #include "evaluation/metrics.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/result_file.h"
 #include "wording.h"
 

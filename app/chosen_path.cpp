@@ -10,7 +10,7 @@
 #include "endings.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "wording.h"
 
 namespace vandplan::app {

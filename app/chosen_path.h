@@ -8,9 +8,9 @@
 #include <string>
 
 #include "endings.h"
+#include "vandplan/files.h"
 #include "vandplan/problem.h"
 #include "vandplan/result_file.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan::app {
 

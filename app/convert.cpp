@@ -12,9 +12,7 @@
 #include "commands.h"
 #include "endings.h"
 #include "vandplan/files.h"
-#include "vandplan/geojson.h"
 #include "vandplan/input_error.h"
-#include "vandplan/scenario_file.h"
 #include "wording.h"
 
 namespace vandplan::app {

@@ -18,7 +18,6 @@
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
 #include "vandplan/recording.h"
-#include "vandplan/scenario_file.h"
 #include "wording.h"
 
 namespace vandplan::app {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "option_flags.h"
-#include "vandplan/live_drive.h"
+#include "vandplan/replanner.h"
 
 namespace vandplan::app {
 

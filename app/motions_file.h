@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "endings.h"
-#include "vandplan/speed.h"
+#include "vandplan/motion.h"
 
 namespace vandplan::app {
 

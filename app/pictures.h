@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "vandplan/files.h"
 #include "vandplan/result_file.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan::app {
 

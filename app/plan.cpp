@@ -17,7 +17,6 @@
 #include "table_source.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/primitives_file.h"
 #include "vandplan/recording.h"
 #include "vandplan/result_file.h"
 #include "wording.h"

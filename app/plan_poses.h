@@ -7,8 +7,8 @@
 #include <string>
 
 #include "vandplan/evaluation.h"
+#include "vandplan/files.h"
 #include "vandplan/planner.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan::app {
 

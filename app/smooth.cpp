@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 // vandplan smooth: which path near this one is cheaper, and can be followed by the wheels?
-#include "vandplan/smooth.h"
+#include "vandplan/planner.h"
 
 #include <fmt/format.h>
 

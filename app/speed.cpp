@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 // vandplan speed: how fast can a path be driven, and where is the vehicle when?
-#include "vandplan/speed.h"
+#include "vandplan/motion.h"
 
 #include <fmt/format.h>
 
@@ -14,8 +14,8 @@
 #include "chosen_path.h"
 #include "commands.h"
 #include "motions_file.h"
-#include "vandplan/drive_check.h"
 #include "vandplan/input_error.h"
+#include "vandplan/judge.h"
 #include "wording.h"
 
 namespace vandplan::app {

@@ -14,11 +14,11 @@
 #include "standard_streams.h"
 #include "study_summary.h"
 #include "table_source.h"
-#include "vandplan/bound_table.h"
+#include "tables/rig_table.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/reeds_shepp.h"
-#include "vandplan/rig_table.h"
-#include "vandplan/scenario_file.h"
+#include "vandplan/steering.h"
+#include "vandplan/tables.h"
 #include "wording.h"
 
 namespace vandplan::app {

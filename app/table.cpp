@@ -15,7 +15,7 @@
 #include "tables/table_export.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/table_file.h"
+#include "vandplan/tables.h"
 #include "wording.h"
 
 namespace vandplan::app {

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "vandplan/table_file.h"
+#include "vandplan/tables.h"
 
 namespace vandplan::app {
 

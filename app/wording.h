@@ -8,8 +8,7 @@
 #include <string_view>
 
 #include "base/escape.h"
-#include "vandplan/drive_check.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/planner.h"
 
 namespace vandplan::app {

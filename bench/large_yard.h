@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "support/collision_oracle.h"
-#include "vandplan/occupancy_grid.h"
+#include "vandplan/geometry.h"
 #include "vandplan/random.h"
 #include "vandplan/vehicle.h"
 

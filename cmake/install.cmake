@@ -5,7 +5,8 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/vandplan)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 
 # One export per component, so that nobody needs the dependencies of what he does not use.
-install(TARGETS vandplan EXPORT vandplan-targets FILE_SET HEADERS)
+install(TARGETS vandplan EXPORT vandplan-targets FILE_SET HEADERS
+        FILE_SET old_headers DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/vandplan-old)
 install(EXPORT vandplan-targets NAMESPACE vandplan:: DESTINATION ${package_folder})
 foreach(component io draw ompl evaluation)
   if(TARGET vandplan_${component})

@@ -20,7 +20,7 @@ Description: Plans paths for trucks and buses (@component@)
 Version: @PROJECT_VERSION@
 Requires: @packages@
 Libs: -L${libdir} @archives@
-Cflags: -I${includedir} -std=c++20
+Cflags: -I${includedir} -I${includedir}/vandplan-old -std=c++20
 ]] @ONLY)
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${name}.pc DESTINATION ${folder})
 endfunction()

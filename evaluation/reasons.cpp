@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "evaluation/methods.h"
-#include "vandplan/heuristic_table.h"
+#include "vandplan/tables.h"
 
 namespace vandplan::evaluation {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "evaluation/sqlite.h"
-#include "vandplan/scenario_file.h"
+#include "vandplan/files.h"
 
 namespace vandplan::evaluation {
 

@@ -12,8 +12,8 @@
 
 #include "evaluation/run_record.h"
 #include "evaluation/statistics.h"
+#include "vandplan/files.h"
 #include "vandplan/planner.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan::evaluation {
 

@@ -3,8 +3,7 @@
 
 // How do I use the steering functions alone: shortest paths on open ground?
 
-#include <vandplan/dubins.h>
-#include <vandplan/reeds_shepp.h>
+#include <vandplan/steering.h>
 
 #include <cmath>
 #include <cstdio>

@@ -3,10 +3,8 @@
 
 // Which of many poses is nearest by driven length, and how far are they, roughly and quickly?
 
-#include <vandplan/bound_table.h>
-#include <vandplan/heuristic_table.h>
-#include <vandplan/nearest.h>
-#include <vandplan/reeds_shepp.h>
+#include <vandplan/steering.h>
+#include <vandplan/tables.h>
 
 #include <cstdio>
 

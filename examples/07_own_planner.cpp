@@ -5,9 +5,9 @@
 // usage: 07_own_planner [FOLDER]    for the report
 
 #include <vandplan/evaluation.h>
-#include <vandplan/nearest.h>
 #include <vandplan/planner.h>
 #include <vandplan/search.h>
+#include <vandplan/tables.h>
 
 #include <cstdio>
 #include <random>

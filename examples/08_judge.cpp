@@ -3,7 +3,7 @@
 
 // How do I check a path that somebody else has planned?
 
-#include <vandplan/path_check.h>
+#include <vandplan/judge.h>
 
 #include <cstdio>
 

@@ -3,7 +3,7 @@
 
 // How fast can my truck drive a path, and where is it when?
 
-#include <vandplan/speed.h>
+#include <vandplan/motion.h>
 
 #include <cmath>
 #include <cstdio>

@@ -3,7 +3,7 @@
 
 // How does my truck plan anew when something stands in its way?
 
-#include <vandplan/path_check.h>
+#include <vandplan/judge.h>
 #include <vandplan/replanner.h>
 
 #include <algorithm>

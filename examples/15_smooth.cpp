@@ -3,9 +3,9 @@
 
 // How does a path from elsewhere become shorter, and one that the wheels can follow?
 
-#include <vandplan/path_check.h>
-#include <vandplan/reeds_shepp.h>
-#include <vandplan/smooth.h>
+#include <vandplan/judge.h>
+#include <vandplan/planner.h>
+#include <vandplan/steering.h>
 
 #include <cstdio>
 #include <vector>

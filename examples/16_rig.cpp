@@ -4,7 +4,7 @@
 // How does a tractor back its trailer up to a dock, and how far does the rig fold up?
 
 #include <vandplan/planner.h>
-#include <vandplan/rig.h>
+#include <vandplan/vehicle.h>
 
 #include <algorithm>
 #include <cmath>

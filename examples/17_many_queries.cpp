@@ -3,9 +3,9 @@
 
 // How do I get the lengths of all ways between many places faster than by planning each way?
 
-#include <vandplan/path_check.h>
-#include <vandplan/reeds_shepp.h>
-#include <vandplan/roadmap.h>
+#include <vandplan/graphs.h>
+#include <vandplan/judge.h>
+#include <vandplan/steering.h>
 
 #include <cstdio>
 #include <memory>

@@ -3,7 +3,7 @@
 
 // How do I add a worker of my own to the default planner? This one proposes the path of yesterday.
 
-#include <vandplan/path_source.h>
+#include <vandplan/planner.h>
 
 #include <cstdio>
 #include <memory>

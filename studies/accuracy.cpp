@@ -12,8 +12,7 @@
 #include "base/escape.h"
 #include "studies/percentile.h"
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
-#include "vandplan/rig_steering.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::studies {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "studies/study_files.h"
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan::studies {
 

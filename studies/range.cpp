@@ -8,9 +8,8 @@
 #include <numbers>
 
 #include "base/trigonometry.h"
-#include "vandplan/dubins.h"
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::studies {
 namespace {

@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "embedded_scenarios.h"
-#include "vandplan/reeds_shepp.h"
-#include "vandplan/scenario_file.h"
+#include "vandplan/files.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::studies {
 namespace {

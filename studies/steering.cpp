@@ -8,8 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "vandplan/dubins.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::studies {
 namespace {

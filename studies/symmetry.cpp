@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::studies {
 namespace {

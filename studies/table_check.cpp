@@ -8,9 +8,9 @@
 
 #include "base/trigonometry.h"
 #include "studies/percentile.h"
-#include "vandplan/bound_table.h"
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
+#include "vandplan/tables.h"
 
 namespace vandplan::studies {
 namespace {

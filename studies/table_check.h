@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "vandplan/heuristic_table.h"
+#include "vandplan/tables.h"
 
 namespace vandplan::studies {
 

@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "tables/embedded_rig_table.h"
-#include "vandplan/rig_table.h"
+#include "tables/rig_table.h"
 
 int main(int argc, char** argv) {
   if (argc != 2) {

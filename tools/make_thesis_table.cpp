@@ -10,7 +10,7 @@
 #include <string>
 
 #include "tables/table_export.h"
-#include "vandplan/heuristic_table.h"
+#include "vandplan/tables.h"
 
 int main(int argc, char** argv) {
   if (argc != 3) {

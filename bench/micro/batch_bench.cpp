@@ -9,10 +9,9 @@
 #include <vector>
 
 #include "simd/length_kernels.h"
-#include "vandplan/bound_table.h"
-#include "vandplan/heuristic_table.h"
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
+#include "vandplan/tables.h"
 #ifdef VANDPLAN_BENCH_TARGETS
 #include <hwy/targets.h>
 #endif

@@ -14,10 +14,10 @@
 
 #include "support/collision_oracle.h"
 #include "support/shared_files.h"
+#include "vandplan/files.h"
 #include "vandplan/problem.h"
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
-#include "vandplan/scenario_file.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

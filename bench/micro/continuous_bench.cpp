@@ -9,8 +9,7 @@
 
 #include "steering/continuous/priced_pieces.h"
 #include "support/pose_pairs.h"
-#include "vandplan/continuous_steering.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

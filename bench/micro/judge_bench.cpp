@@ -12,7 +12,7 @@
 #include <numbers>
 #include <vector>
 
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/problem.h"
 #include "vandplan/random.h"
 

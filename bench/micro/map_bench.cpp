@@ -13,7 +13,7 @@
 #include "large_yard.h"
 #include "vandplan/problem.h"
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the Vändplan authors
 // What does the exact nearest node by Reeds-Shepp length cost? Arguments: nodes, and within how
 // many metres of the origin nodes and samples are uniform; R = 7 m.
-#include "vandplan/nearest.h"
+#include "vandplan/tables.h"
 
 #include <benchmark/benchmark.h>
 
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

@@ -10,8 +10,7 @@
 
 #include "vandplan/collision.h"
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
-#include "vandplan/rig_steering.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

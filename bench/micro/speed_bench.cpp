@@ -10,9 +10,9 @@
 #include <cmath>
 #include <vector>
 
+#include "vandplan/motion.h"
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
-#include "vandplan/speed.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

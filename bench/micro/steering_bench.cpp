@@ -8,8 +8,7 @@
 
 #include "base/trigonometry.h"
 #include "support/pose_pairs.h"
-#include "vandplan/dubins.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

@@ -4,8 +4,7 @@
 // thesis' table.
 #include <benchmark/benchmark.h>
 
-#include "vandplan/heuristic_table.h"
-#include "vandplan/table_file.h"
+#include "vandplan/tables.h"
 
 namespace vandplan {
 namespace {

@@ -13,9 +13,9 @@
 
 #include "support/ompl_poses.h"
 #include "support/rounds.h"
-#include "vandplan/nearest.h"
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
+#include "vandplan/tables.h"
 
 namespace vandplan {
 namespace {

@@ -26,8 +26,8 @@
 #include "support/figure.h"
 #include "support/ompl_run.h"
 #include "support/rounds.h"
-#include "vandplan/ompl_geometric.h"
-#include "vandplan/scenario_file.h"
+#include "vandplan/files.h"
+#include "vandplan/ompl.h"
 
 namespace vandplan {
 namespace {

@@ -35,9 +35,9 @@
 #include "support/figure.h"
 #include "support/ompl_run.h"
 #include "support/plans.h"
-#include "vandplan/path_check.h"
+#include "vandplan/files.h"
+#include "vandplan/judge.h"
 #include "vandplan/planner.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {

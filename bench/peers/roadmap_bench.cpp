@@ -20,10 +20,10 @@
 #include <vector>
 
 #include "support/figure.h"
+#include "vandplan/files.h"
+#include "vandplan/graphs.h"
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
-#include "vandplan/roadmap.h"
-#include "vandplan/scenario_file.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

@@ -13,8 +13,7 @@
 #include "support/ompl_poses.h"
 #include "support/pose_pairs.h"
 #include "support/rounds.h"
-#include "vandplan/dubins.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

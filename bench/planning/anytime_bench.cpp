@@ -15,9 +15,9 @@
 
 #include "support/figure.h"
 #include "support/plans.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {

@@ -31,7 +31,7 @@
 #include "support/rounds.h"
 #include "support/temporary_folder.h"
 #include "vandplan/files.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/planner.h"
 #include "vandplan/result_file.h"
 

@@ -27,7 +27,6 @@
 #include "vandplan/files.h"
 #include "vandplan/planner.h"
 #include "vandplan/random.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {

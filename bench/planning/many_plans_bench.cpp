@@ -25,12 +25,11 @@
 #include "large_yard.h"
 #include "support/figure.h"
 #include "vandplan/files.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/planner.h"
 #include "vandplan/problem.h"
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
-#include "vandplan/scenario_file.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

@@ -15,11 +15,11 @@
 #include <vector>
 
 #include "support/plans.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
 #include "vandplan/random.h"
-#include "vandplan/rig.h"
-#include "vandplan/scenario_file.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan {
 namespace {

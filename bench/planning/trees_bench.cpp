@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "support/figure.h"
+#include "vandplan/files.h"
 #include "vandplan/planner.h"
 #include "vandplan/random.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {

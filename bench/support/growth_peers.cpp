@@ -12,7 +12,7 @@
 #include <chrono>
 
 #include "support/ompl_run.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #endif
 
 namespace vandplan {

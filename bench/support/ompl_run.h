@@ -14,10 +14,9 @@
 #include <memory>
 #include <vector>
 
+#include "vandplan/judge.h"
 #include "vandplan/ompl_spaces.h"
-#include "vandplan/ompl_world.h"
-#include "vandplan/path_check.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 

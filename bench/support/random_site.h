@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "vandplan/files.h"
 #include "vandplan/problem.h"
 #include "vandplan/random.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 

@@ -10,10 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "vandplan/bound_table.h"
-#include "vandplan/heuristic_table.h"
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
+#include "vandplan/tables.h"
 
 namespace vandplan {
 namespace {

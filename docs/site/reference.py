@@ -6,6 +6,7 @@ Doxygen reads the declarations and their docstrings, Sphinx shows them and links
 the two stands this: one page for each header, in the order of the header, under its question.
 """
 
+import itertools
 import re
 import subprocess
 import textwrap
@@ -109,6 +110,16 @@ class Page:
                 for line in (self.inline(para, scope) + "\n").split("\n"):
                     self.write(line, depth)
 
+    def paragraphs(self, paragraphs):
+        """The comment at the head of a header or of one of its sections."""
+        for paragraph in paragraphs:
+            if paragraph.startswith(" "):
+                language = "text" if "-->" in paragraph else "cpp"
+                self.write(f".. code-block:: {language}\n   :force:\n\n{textwrap.indent(textwrap.dedent(paragraph), '   ')}\n")
+            else:
+                codes = re.split(r"`([^`]*)`", paragraph.replace("\n", " "))
+                self.write("".join(self.code(t, "vandplan") if i % 2 else self.plain(t) for i, t in enumerate(codes)) + "\n")
+
     # ---- Declarations ----
 
     def directive(self, kind, signatures, depth, options=()):
@@ -134,7 +145,9 @@ class Page:
             return re.sub(" +", " ", f"{type_text} {name} {value}").strip()
         static = "static " if member.get("static") == "yes" and "static" not in type_text else ""
         arguments = re.sub(r"\s*=\s*default$", "", member.findtext("argsstring"))
-        return f"{static}{type_text} {name}{spaced(arguments)}".strip()
+        parameters = [parameter_of(parameter) for parameter in member.iterfind("templateparamlist/param")]
+        template = f"template <{', '.join(parameters)}> " if parameters else ""
+        return f"{template}{static}{type_text} {name}{spaced(arguments)}".strip()
 
     def members(self, group, scope, depth):
         """One entry for neighbours of which the first alone has a docstring."""
@@ -180,6 +193,12 @@ class Page:
             self.members(group, scope, depth)
 
 
+def parameter_of(template):
+    """A parameter of a template; one that a concept restrains is any type to readers."""
+    kind, name = "".join(template.find("type").itertext()), template.findtext("declname")
+    return kind if name is None else f"typename {name}"
+
+
 def line_of(node):
     return int(node.find("location").get("line"))
 
@@ -213,8 +232,16 @@ def read_head(header):
     end = next(i for i in range(begin, len(lines)) if not lines[i].startswith("//"))
     text = "\n".join(line[3:] for line in lines[begin:end])
     question, _, rest = text.partition("\n\n")
-    sections = {i: m[1] for i, line in enumerate(lines, 1) if (m := re.match(r"// ---- (.*) ----", line))}
-    return question.replace("\n", " "), [part for part in rest.split("\n\n") if part], sections
+    sections = {}
+    for i, line in enumerate(lines, 1):
+        if m := re.match(r"// ---- (.*) ----", line):
+            more = itertools.takewhile(lambda below: below.startswith("//"), lines[i:])
+            sections[i] = m[1], paragraphs_of("\n".join(below[3:] for below in more))
+    return question.replace("\n", " "), paragraphs_of(rest), sections
+
+
+def paragraphs_of(text):
+    return [part for part in text.strip("\n").split("\n\n") if part]
 
 
 def header_page(header, found, kinds, link_of):
@@ -223,29 +250,25 @@ def header_page(header, found, kinds, link_of):
     title = escaped(question)
     page.write(f"{title}\n{'=' * len(title)}\n")
     page.write(f".. code-block:: cpp\n\n   #include <vandplan/{header.name}>\n")
-    for paragraph in paragraphs:
-        if paragraph.startswith(" "):
-            language = "text" if "-->" in paragraph else "cpp"
-            page.write(f".. code-block:: {language}\n   :force:\n\n{textwrap.indent(textwrap.dedent(paragraph), '   ')}\n")
-        else:
-            codes = re.split(r"`([^`]*)`", paragraph.replace("\n", " "))
-            page.write("".join(page.code(t, "vandplan") if i % 2 else page.plain(t) for i, t in enumerate(codes)) + "\n")
+    page.paragraphs(paragraphs)
     here = [(line, scope, node) for file, line, scope, node in found if file == header.name and top(node, scope)]
     here.sort(key=lambda row: row[0])
     page.names(here)
     runs = [[]]
     for line, scope, node in here:
         passed = [at for at in sections if at < line]
-        key = (scope, sections[max(passed)] if passed else "")
+        key = (scope, max(passed, default=0))
         if not runs[-1] or runs[-1][0][0] != key:
             runs.append([])
         runs[-1].append((key, node))
-    section = ""
+    section = 0
     for run in filter(None, runs):
-        scope, heading = run[0][0]
-        if heading != section:
+        scope, at = run[0][0]
+        if at != section:
+            heading, below = sections[at]
             page.write(f"{escaped(heading)}\n{'-' * (len(heading) + 8)}\n")
-            section = heading
+            page.paragraphs(below)
+            section = at
         page.write(f".. cpp:namespace:: {scope}\n")
         page.entries([node for _, node in run], scope, 0)
     page.write(f"The header itself: {link_of(f'include/vandplan/{header.name}')}.")

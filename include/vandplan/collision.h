@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "vandplan/occupancy_grid.h"
+#include "vandplan/geometry.h"
 #include "vandplan/path.h"
 #include "vandplan/vehicle.h"
 

@@ -13,11 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "vandplan/outcome.h"
+#include "vandplan/judge.h"
+#include "vandplan/motion.h"
 #include "vandplan/path.h"
-#include "vandplan/path_check.h"
 #include "vandplan/problem.h"
-#include "vandplan/speed.h"
 
 namespace vandplan {
 

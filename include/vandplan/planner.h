@@ -9,17 +9,16 @@
 // library stand in one list. Your own planners are used, judged and compared in the same way.
 // `plan` shows every path to the independent judge before it returns it.
 
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "vandplan/capability.h"
-#include "vandplan/drive_check.h"
-#include "vandplan/outcome.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
 
@@ -189,5 +188,118 @@ void set_honoured(PlanOptions& options, const Planner& planner, std::span<const 
 void plan_many(std::span<const Problem> problems, const Planner& planner,
                const PlanOptions& options, int jobs,
                const std::function<void(std::size_t, PlanResult)>& take);
+
+// ---- How do I let the default planner use paths that I know of? ----
+//
+//   const auto result = vandplan::plan(problem, vandplan::with_sources({{"mine", make}}));
+//
+// A source proposes paths while the planner runs. The planner checks and shortens each, and
+// compares it with the paths that it finds itself. Whatever a source proposes, the result has
+// passed the judge.
+
+/// A path in the frame of a task, which is the world's.
+struct LocalPath {
+  LocalPose start;
+  std::vector<Segment> segments;
+};
+
+/// Proposes paths in one run. Calls come one after the other, from any thread of the run. Results
+/// repeat if the source depends only on the seed and on what `hear` is given.
+class PathSource {
+ public:
+  virtual ~PathSource() = default;
+
+  /// A path, or none yet: one iteration of the run, at best some ten microseconds of work. The path
+  /// is in the frame of the task. It may begin or end elsewhere, or hit something: the planner
+  /// makes a free path along it, if it can. A number that is not finite ends the run with
+  /// InputError.
+  [[nodiscard]] virtual std::optional<LocalPath> propose() = 0;
+
+  /// Whether another call of `propose` may bring a path. The run ends when none of the planner's
+  /// workers has work.
+  [[nodiscard]] virtual bool has_work() const = 0;
+
+  /// Receives the cheapest path so far, in the frame of the task, and its cost [m]. It is called
+  /// when the planner has a cheaper path, whoever proposed it.
+  virtual void hear(const LocalPath& /*best*/, double /*cost*/) {}
+};
+
+/// A source of paths under a name, with its share of the work.
+struct NamedSource {
+  std::string name;  ///< name of the source; error messages have it
+  /// Makes the source for one run; required. The task and the options outlive the source. Start and
+  /// goal of the task are free.
+  std::function<std::unique_ptr<PathSource>(const Task&, const PlanOptions&)> make;
+  /// Iterations of the source in a round while no path is known; [1, 10000]. The round after the
+  /// first path has a quarter of it. Later rounds have up to 16 times as much.
+  std::int64_t share = 16;
+};
+
+/// The default planner, with sources of paths beside its own workers. For a vehicle with a trailer
+/// a path is that of the tractor. Throws InputError naming "source NAME" if it has no `make` or its
+/// share is out of range.
+[[nodiscard]] Planner with_sources(std::vector<NamedSource> sources);
+
+// ---- How does a path become cheaper, and one that the wheels can follow? ----
+//
+//   const auto smoothed = vandplan::smooth(problem, path, SmoothMethod::optimised);
+//
+// Method: docs/algorithms/smooth.md.
+
+/// Method by which a path is smoothed.
+enum class SmoothMethod : std::uint8_t {
+  clothoids,  ///< joints become clothoids; what becomes longer is shortened briefly
+  optimised,  ///< the whole path is made cheaper for as long as the budget lasts
+};
+
+/// The method of that name, "clothoids" or "optimised". Throws InputError naming "method" for
+/// another name.
+[[nodiscard]] SmoothMethod smooth_method_named(std::string_view name);
+
+/// The options of smoothing that hold unless others are set. Options of the run that planned the
+/// path (`stored`) take precedence over those that the scenario wants.
+///
+/// The budget of that run does not count, nor a stored steering of reeds-shepp. Such a run allowed
+/// jumps of the curvature, and smoothing removes them; with a trailer only if the cost is the time.
+/// Throws InputError naming the option whose value is not valid.
+[[nodiscard]] PlanOptions smooth_options(std::span<const Setting> scenario,
+                                         std::span<const Setting> stored);
+
+/// Result of smoothing a path.
+struct Smoothed {
+  PlanResult result = {};    ///< result of `plan` with the smoothed path
+  PlanOptions options = {};  ///< options that were in force
+  /// Cost of the path that was given, by these options [m] or [s].
+  double given_cost = 0.0;
+  /// Fault that the judge finds in the given path, by these options; empty: none. That the path
+  /// ends at no goal of a set is no fault (see `smooth`).
+  std::string given_fault = {};
+  /// Whether the result is the path that was given, because nothing better was found.
+  bool is_given = false;
+};
+
+/// Smooths a path in the scenario's frame. If the judge accepts the given path, the result is never
+/// worse by these options: it costs no more, and strokes shorter than `min_stroke` become no
+/// shorter in total.
+///
+/// With a set of goals, the goal is the one at which the path ends. If it ends at none, the goal is
+/// its own end: the status is `solved` all the same, and `result.goal` is none. A run without a
+/// limit of time or iterations takes `default_time_limit`.
+///
+/// Throws InputError as `plan` does, also naming "moving" if there are moving obstacles, and "path"
+/// if it has a number that is not finite.
+[[nodiscard]] Smoothed smooth(const Problem& problem, const Path& path,
+                              SmoothMethod method = SmoothMethod::optimised,
+                              const PlanOptions& options = {});
+
+/// The planner that `smooth` runs: it keeps to the way of one path, whose segments lead from the
+/// problem's start to its goal. The start of `path` is not used. Unless a steering is set, it is
+/// `continuous_between_stops`, also with style `shortest`. With a trailer it is `reeds_shepp`,
+/// unless the cost is the time. The planner is not among `planners()`.
+///
+/// - A path that is nearer than a millimetre to something may count as blocked.
+/// - It finds no path where one beside the given path is needed that it does not see. Then
+///   `no_path` proves nothing.
+[[nodiscard]] Planner smoother(const Path& path, SmoothMethod method);
 
 }  // namespace vandplan

@@ -13,8 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "vandplan/files.h"
 #include "vandplan/planner.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 

@@ -15,10 +15,9 @@
 #include <stop_token>
 #include <vector>
 
-#include "vandplan/continuous_steering.h"
-#include "vandplan/outcome.h"
 #include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::search {
 

@@ -12,7 +12,7 @@
 #include "collision/outline_sweep.h"
 #include "collision/sweep.h"
 #include "collision/trailer_part.h"
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan {
 

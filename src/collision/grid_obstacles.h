@@ -10,7 +10,7 @@
 #include "collision/sweep.h"
 #include "geometry/blocked_cells.h"
 #include "geometry/distance_field.h"
-#include "vandplan/occupancy_grid.h"
+#include "vandplan/geometry.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan::collision {

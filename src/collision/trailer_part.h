@@ -9,7 +9,7 @@
 
 #include "base/trigonometry.h"
 #include "collision/sweep.h"
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan::collision {
 

@@ -9,8 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "vandplan/moving.h"
-#include "vandplan/rig.h"
+#include "vandplan/motion.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan::drawing {

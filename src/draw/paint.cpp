@@ -11,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "vandplan/reeds_shepp.h"
-#include "vandplan/rig.h"
+#include "vandplan/steering.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan::drawing {

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "vandplan/input_error.h"
-#include "vandplan/rig.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan::drawing {

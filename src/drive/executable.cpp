@@ -11,7 +11,7 @@
 #include "drive/watch.h"
 #include "vandplan/drive.h"
 #include "vandplan/input_error.h"
-#include "vandplan/speed.h"
+#include "vandplan/motion.h"
 
 namespace vandplan {
 namespace {

@@ -6,7 +6,7 @@
 // Eq. 1 of the thesis, x' = v cos h, y' = v sin h, h' = v tan(phi) / wheelbase, with limits of
 // steering, acceleration and braking.
 
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan::driving {
 

@@ -5,8 +5,8 @@
 
 #include <vector>
 
+#include "vandplan/motion.h"
 #include "vandplan/path.h"
-#include "vandplan/speed.h"
 
 namespace vandplan::driving {
 

@@ -8,7 +8,7 @@
 #include "base/trigonometry.h"
 #include "drive/controllers.h"
 #include "drive/linear_quadratic.h"
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan::driving {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 
 namespace vandplan::driving {
 namespace {

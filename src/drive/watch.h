@@ -13,7 +13,7 @@
 
 #include "vandplan/collision.h"
 #include "vandplan/problem.h"
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan::driving {
 

@@ -9,7 +9,7 @@
 #include <cstdint>
 
 #include "geometry/bit_grid.h"
-#include "vandplan/occupancy_grid.h"
+#include "vandplan/geometry.h"
 
 namespace vandplan::geometry {
 

@@ -14,7 +14,6 @@
 #include "io/document.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 // How does a site in GeoJSON (RFC 7946) become a scenario?
-#include "vandplan/geojson.h"
+#include "vandplan/files.h"
 
 #include <fmt/format.h>
 
@@ -14,8 +14,6 @@
 #include "io/geojson_feature.h"
 #include "io/local_plane.h"
 #include "io/site_shapes.h"
-#include "vandplan/files.h"
-#include "vandplan/heading_doubt.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan {

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "io/polygons.h"
-#include "vandplan/heading_doubt.h"
-#include "vandplan/rig.h"
+#include "vandplan/files.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan::io {
 namespace {

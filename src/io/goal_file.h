@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/document.h"
-#include "vandplan/goal_set.h"
+#include "vandplan/path.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan::io {

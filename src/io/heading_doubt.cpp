@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "vandplan/heading_doubt.h"
+#include "vandplan/files.h"
 
 #include <fmt/format.h>
 

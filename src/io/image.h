@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "vandplan/occupancy_grid.h"
+#include "vandplan/geometry.h"
 
 namespace vandplan::io {
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <optional>
 
-#include "vandplan/geojson.h"
+#include "vandplan/files.h"
 
 namespace vandplan::io {
 

@@ -20,7 +20,6 @@
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
 #include "vandplan/problem.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/document.h"
-#include "vandplan/moving.h"
+#include "vandplan/motion.h"
 
 namespace vandplan::io {
 

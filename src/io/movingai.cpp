@@ -19,7 +19,6 @@
 #include "io/image.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {

@@ -11,10 +11,8 @@
 
 #include "io/document.h"
 #include "vandplan/files.h"
-#include "vandplan/heading_doubt.h"
 #include "vandplan/input_error.h"
 #include "vandplan/problem.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/primitives_file.h"
 
 namespace vandplan {
 namespace io {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "vandplan/primitives.h"
+#include "vandplan/graphs.h"
 
 namespace vandplan::io {
 

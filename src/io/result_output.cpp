@@ -9,9 +9,8 @@
 #include "io/result_bytes.h"
 #include "io/result_geojson.h"
 #include "vandplan/files.h"
-#include "vandplan/geojson.h"
-#include "vandplan/goal_set.h"
 #include "vandplan/input_error.h"
+#include "vandplan/path.h"
 #include "vandplan/result_file.h"
 
 namespace vandplan {

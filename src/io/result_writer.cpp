@@ -16,7 +16,7 @@
 #include "io/speeds_file.h"
 #include "vandplan/input_error.h"
 #include "vandplan/result_file.h"
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 #include "vandplan/version.h"
 
 namespace vandplan {

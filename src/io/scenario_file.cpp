@@ -17,7 +17,6 @@
 #include "problem/checks.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {

@@ -6,7 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "io/document.h"
-#include "vandplan/speed.h"
+#include "vandplan/motion.h"
 
 namespace vandplan::io {
 

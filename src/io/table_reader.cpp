@@ -4,7 +4,7 @@
 
 #include "io/input_file.h"
 #include "vandplan/files.h"
-#include "vandplan/table_file.h"
+#include "vandplan/tables.h"
 
 namespace vandplan {
 

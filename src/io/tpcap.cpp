@@ -16,7 +16,6 @@
 #include "io/document.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "judge/clearance.h"
-#include "vandplan/occupancy_grid.h"
+#include "vandplan/geometry.h"
 
 namespace vandplan::judge {
 

@@ -8,7 +8,7 @@
 
 #include "judge/track.h"
 #include "judge/trailing.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 
 namespace vandplan::judge {
 

@@ -13,7 +13,7 @@
 #include "judge/cell_tree.h"
 #include "judge/clearance.h"
 #include "judge/polygon_tree.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/problem.h"
 #include "vandplan/vehicle.h"
 

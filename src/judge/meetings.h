@@ -13,7 +13,7 @@
 
 #include "judge/clearance.h"
 #include "judge/track.h"
-#include "vandplan/moving.h"
+#include "vandplan/motion.h"
 
 namespace vandplan::judge {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "judge/track.h"
-#include "vandplan/speed.h"
+#include "vandplan/motion.h"
 
 namespace vandplan::judge {
 

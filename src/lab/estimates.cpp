@@ -9,10 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "vandplan/bound_table.h"
-#include "vandplan/dubins.h"
-#include "vandplan/heuristic_table.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
+#include "vandplan/tables.h"
 
 namespace vandplan::search {
 namespace {

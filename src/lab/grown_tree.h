@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "lab/ranking.h"
-#include "vandplan/outcome.h"
+#include "tables/rig_table.h"
 #include "vandplan/plan_options.h"
-#include "vandplan/rig_steering.h"
-#include "vandplan/rig_table.h"
+#include "vandplan/problem.h"
 #include "vandplan/search.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::planning {
 

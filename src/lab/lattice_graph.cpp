@@ -9,8 +9,8 @@
 
 #include "base/trigonometry.h"
 #include "vandplan/input_error.h"
-#include "vandplan/reeds_shepp.h"
 #include "vandplan/search.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::search {
 namespace {

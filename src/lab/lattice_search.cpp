@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "planners/shared_options.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::lattice {
 namespace {

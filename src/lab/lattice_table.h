@@ -12,7 +12,7 @@
 #include <memory>
 #include <vector>
 
-#include "vandplan/primitives.h"
+#include "vandplan/graphs.h"
 
 namespace vandplan::search {
 

@@ -7,9 +7,9 @@
 #include <memory>
 #include <vector>
 
-#include "vandplan/nearest.h"
 #include "vandplan/problem.h"
 #include "vandplan/random.h"
+#include "vandplan/tables.h"
 
 namespace vandplan::search {
 

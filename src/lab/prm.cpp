@@ -12,7 +12,7 @@
 #include "base/guarded.h"
 #include "lab/milestones.h"
 #include "planners/shared_options.h"
-#include "vandplan/roadmap.h"
+#include "vandplan/graphs.h"
 #include "vandplan/search.h"
 
 namespace vandplan::prm {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "lab/estimates.h"
-#include "vandplan/nearest.h"
 #include "vandplan/search.h"
+#include "vandplan/tables.h"
 
 namespace vandplan::search {
 

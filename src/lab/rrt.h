@@ -5,8 +5,8 @@
 // Theory and pseudo-code: docs/algorithms/rrt.md.
 
 #include "lab/estimates.h"
-#include "vandplan/outcome.h"
 #include "vandplan/plan_options.h"
+#include "vandplan/problem.h"
 
 namespace vandplan::rrt {
 

@@ -9,7 +9,7 @@
 
 #include "lab/tree_parts.h"
 #include "planners/shared_options.h"
-#include "vandplan/nearest.h"
+#include "vandplan/tables.h"
 
 namespace vandplan::rrt_connect {
 namespace {

@@ -10,8 +10,8 @@
 #include "lab/rewired_tree.h"
 #include "lab/tree_parts.h"
 #include "planners/shared_options.h"
-#include "vandplan/nearest.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
+#include "vandplan/tables.h"
 
 namespace vandplan::rrt_star {
 namespace {

@@ -8,11 +8,11 @@
 #include <optional>
 #include <vector>
 
-#include "vandplan/outcome.h"
 #include "vandplan/plan_options.h"
+#include "vandplan/problem.h"
 #include "vandplan/random.h"
-#include "vandplan/rig.h"
 #include "vandplan/search.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan::planning {
 

@@ -13,8 +13,8 @@
 
 #include "collision/rectangle.h"
 #include "speed/way.h"
-#include "vandplan/moving.h"
-#include "vandplan/rig.h"
+#include "vandplan/motion.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan::moving {
 

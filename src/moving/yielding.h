@@ -11,7 +11,7 @@
 #include <optional>
 #include <span>
 
-#include "vandplan/moving.h"
+#include "vandplan/motion.h"
 
 namespace vandplan::moving {
 

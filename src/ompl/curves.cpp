@@ -10,9 +10,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "vandplan/dubins.h"
 #include "vandplan/ompl_spaces.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::ompl {
 namespace {

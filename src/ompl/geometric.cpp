@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "vandplan/ompl_geometric.h"
+#include "vandplan/ompl.h"
 
 #include <ompl/geometric/planners/informedtrees/bitstar/ImplicitGraph.h>
 #include <ompl/geometric/planners/informedtrees/bitstar/Vertex.h>

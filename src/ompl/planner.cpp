@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "vandplan/ompl_planner.h"
+#include "vandplan/ompl_spaces.h"
 
 #include <ompl/base/OptimizationObjective.h>
 #include <ompl/base/PlannerData.h>
@@ -24,8 +24,6 @@
 
 #include "ompl/curves.h"
 #include "vandplan/input_error.h"
-#include "vandplan/ompl_spaces.h"
-#include "vandplan/ompl_world.h"
 
 namespace vandplan::ompl {
 namespace {

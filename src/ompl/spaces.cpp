@@ -8,8 +8,7 @@
 #include <span>
 
 #include "ompl/curves.h"
-#include "vandplan/dubins.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::ompl {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "vandplan/ompl_world.h"
+#include "vandplan/ompl_spaces.h"
 
 #include <ompl/base/ScopedState.h>
 #include <ompl/geometric/SimpleSetup.h>
@@ -10,7 +10,6 @@
 
 #include "ompl/curves.h"
 #include "vandplan/input_error.h"
-#include "vandplan/ompl_spaces.h"
 
 namespace vandplan::ompl {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vandplan/speed.h"
+#include "vandplan/motion.h"
 
 namespace vandplan::planning {
 namespace {

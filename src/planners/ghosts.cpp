@@ -9,7 +9,7 @@
 
 #include "base/trigonometry.h"
 #include "vandplan/input_error.h"
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan::in_time {
 namespace {

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "vandplan/moving.h"
+#include "vandplan/motion.h"
 #include "vandplan/problem.h"
 
 namespace vandplan::in_time {

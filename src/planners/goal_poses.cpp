@@ -10,7 +10,7 @@
 
 #include "problem/goal_set.h"
 #include "steering/words.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::planning {
 namespace {

@@ -22,8 +22,8 @@
 #include "planners/plan_to_set.h"
 #include "planners/pricing.h"
 #include "planners/refuges.h"
-#include "vandplan/reeds_shepp.h"
 #include "vandplan/search.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::in_time {
 namespace {

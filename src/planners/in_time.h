@@ -6,9 +6,8 @@
 
 #include <span>
 
-#include "vandplan/outcome.h"
-#include "vandplan/path_source.h"
 #include "vandplan/plan_options.h"
+#include "vandplan/planner.h"
 #include "vandplan/problem.h"
 
 namespace vandplan::in_time {

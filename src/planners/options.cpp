@@ -10,7 +10,7 @@
 #include "base/nearest_word.h"
 #include "planners/registered.h"
 #include "planners/shared_options.h"
-#include "vandplan/goal_estimate.h"
+#include "vandplan/graphs.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan {

@@ -12,8 +12,8 @@
 #include <optional>
 #include <vector>
 
-#include "vandplan/outcome.h"
 #include "vandplan/plan_options.h"
+#include "vandplan/problem.h"
 
 namespace vandplan::planning {
 

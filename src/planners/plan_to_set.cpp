@@ -17,8 +17,8 @@
 #include "planners/pricing.h"
 #include "planners/rig/towed.h"
 #include "problem/goal_set.h"
-#include "vandplan/reeds_shepp.h"
 #include "vandplan/search.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::planning {
 namespace {

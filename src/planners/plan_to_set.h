@@ -9,7 +9,6 @@
 #include <memory>
 
 #include "planners/path_search.h"
-#include "vandplan/outcome.h"
 #include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
 

@@ -12,9 +12,9 @@
 #include "planners/pricing.h"
 #include "planners/reasons.h"
 #include "vandplan/input_error.h"
-#include "vandplan/reeds_shepp.h"
-#include "vandplan/rig.h"
 #include "vandplan/search.h"
+#include "vandplan/steering.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan {
 namespace {

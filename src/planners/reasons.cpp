@@ -10,7 +10,7 @@
 #include "base/text.h"
 #include "problem/map_hit.h"
 #include "vandplan/collision.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan::planning {

@@ -12,8 +12,8 @@
 
 #include "base/trigonometry.h"
 #include "moving/encounters.h"
-#include "vandplan/reeds_shepp.h"
-#include "vandplan/rig.h"
+#include "vandplan/steering.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan::in_time {
 namespace {

@@ -11,7 +11,7 @@
 #include "planners/plan_to_set.h"
 #include "planners/shared_options.h"
 #include "vandplan/input_error.h"
-#include "vandplan/path_source.h"
+#include "vandplan/planner.h"
 
 namespace vandplan::planning {
 namespace {

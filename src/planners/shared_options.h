@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "vandplan/goal_estimate.h"
+#include "vandplan/graphs.h"
 #include "vandplan/plan_options.h"
 #include "vandplan/planner.h"
 #include "vandplan/problem.h"

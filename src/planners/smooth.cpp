@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "vandplan/smooth.h"
+#include "vandplan/planner.h"
 
 #include <algorithm>
 #include <array>
@@ -21,7 +21,7 @@
 #include "search/wheels.h"
 #include "steering/words.h"
 #include "vandplan/input_error.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 
 namespace vandplan {
 namespace {

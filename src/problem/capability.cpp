@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "vandplan/capability.h"
+#include "vandplan/plan_options.h"
 
 #include <algorithm>
 #include <array>

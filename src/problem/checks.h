@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "vandplan/occupancy_grid.h"
+#include "vandplan/geometry.h"
 #include "vandplan/problem.h"
 
 namespace vandplan::problem {

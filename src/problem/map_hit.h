@@ -7,7 +7,7 @@
 #include <string>
 
 #include "vandplan/problem.h"
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan::problem {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "vandplan/moving.h"
+#include "vandplan/motion.h"
 
 namespace vandplan::problem {
 

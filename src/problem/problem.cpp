@@ -14,7 +14,7 @@
 #include "problem/goal_set.h"
 #include "problem/moving.h"
 #include "vandplan/input_error.h"
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan {
 namespace {

@@ -13,8 +13,7 @@
 
 #include "vandplan/drive.h"
 #include "vandplan/geometry.h"
-#include "vandplan/occupancy_grid.h"
-#include "vandplan/outcome.h"
+#include "vandplan/problem.h"
 
 namespace vandplan::recording {
 

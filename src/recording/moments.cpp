@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "vandplan/input_error.h"
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan::recording {
 namespace {

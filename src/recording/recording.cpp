@@ -17,7 +17,7 @@
 #include "recording/schemas.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 #include "vandplan/version.h"
 
 namespace vandplan {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "recording/solids.h"
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan::recording {
 namespace {

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "recording/messages.h"
-#include "vandplan/moving.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
+#include "vandplan/motion.h"
 #include "vandplan/problem.h"
 
 namespace vandplan::recording {

@@ -6,8 +6,7 @@
 
 #include "base/text.h"
 #include "replanning/deviation.h"
-#include "vandplan/drive_check.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 
 namespace vandplan::replanning {
 namespace {

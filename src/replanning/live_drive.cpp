@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "vandplan/live_drive.h"
+#include "vandplan/replanner.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +14,8 @@
 #include "drive/noise.h"
 #include "drive/watch.h"
 #include "replanning/sensor.h"
-#include "vandplan/drive_check.h"
 #include "vandplan/input_error.h"
+#include "vandplan/judge.h"
 
 namespace vandplan {
 namespace {

@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-#include "vandplan/live_drive.h"
+#include "vandplan/replanner.h"
 
 namespace vandplan::replanning {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan::replanning {
 namespace {

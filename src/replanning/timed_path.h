@@ -3,7 +3,7 @@
 #pragma once
 // How is a drive cut in two, and how are two drives joined?
 
-#include "vandplan/moving.h"
+#include "vandplan/motion.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan::replanning {

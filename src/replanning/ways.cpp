@@ -10,8 +10,8 @@
 #include "planners/in_time.h"
 #include "speed/moving_start.h"
 #include "vandplan/input_error.h"
-#include "vandplan/reeds_shepp.h"
 #include "vandplan/search.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::replanning {
 namespace {

@@ -8,10 +8,9 @@
 #include "search/wheels.h"
 #include "steering/continuous/priced_pieces.h"
 #include "steering/words.h"
-#include "vandplan/dubins.h"
 #include "vandplan/input_error.h"
-#include "vandplan/reeds_shepp.h"
 #include "vandplan/search.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::search {
 namespace {

@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "vandplan/rig.h"
 #include "vandplan/search.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan::search {
 namespace {

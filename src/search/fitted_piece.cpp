@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "base/trigonometry.h"
-#include "vandplan/dubins.h"
-#include "vandplan/primitives.h"
+#include "vandplan/graphs.h"
 #include "vandplan/search.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::search {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "vandplan/goal_estimate.h"
+#include "vandplan/graphs.h"
 
 #include <algorithm>
 #include <array>
@@ -10,10 +10,9 @@
 
 #include "base/nearest_word.h"
 #include "search/goal_field.h"
-#include "vandplan/bound_table.h"
-#include "vandplan/heuristic_table.h"
 #include "vandplan/input_error.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
+#include "vandplan/tables.h"
 
 namespace vandplan::search {
 namespace {

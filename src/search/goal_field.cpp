@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "base/trigonometry.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::search {
 namespace {

@@ -10,9 +10,9 @@
 #include <tuple>
 
 #include "base/trigonometry.h"
-#include "vandplan/dubins.h"
+#include "vandplan/graphs.h"
 #include "vandplan/input_error.h"
-#include "vandplan/primitives.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::search {
 namespace {

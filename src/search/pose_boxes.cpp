@@ -11,7 +11,7 @@
 #include "base/trigonometry.h"
 #include "search/geodesic.h"
 #include "steering/dubins_bound.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::search {
 namespace {

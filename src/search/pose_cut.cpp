@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "search/open_rows.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::search {
 namespace {

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "vandplan/speed.h"
+#include "vandplan/motion.h"
 
 namespace vandplan::speed {
 

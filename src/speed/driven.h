@@ -3,7 +3,7 @@
 #pragma once
 // How far has a vehicle driven at a time?
 
-#include "vandplan/speed.h"
+#include "vandplan/motion.h"
 
 namespace vandplan::speed {
 

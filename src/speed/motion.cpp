@@ -10,7 +10,7 @@
 #include "speed/driven.h"
 #include "speed/way.h"
 #include "vandplan/input_error.h"
-#include "vandplan/speed.h"
+#include "vandplan/motion.h"
 
 namespace vandplan {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "vandplan/speed.h"
+#include "vandplan/motion.h"
 
 namespace vandplan::speed {
 

@@ -10,7 +10,7 @@
 #include "speed/moving_start.h"
 #include "speed/stretch.h"
 #include "vandplan/input_error.h"
-#include "vandplan/speed.h"
+#include "vandplan/motion.h"
 
 namespace vandplan {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "speed/caps.h"
-#include "vandplan/speed.h"
+#include "vandplan/motion.h"
 
 namespace vandplan::speed {
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "vandplan/driving_limits.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan::speed {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "speed/caps.h"
-#include "vandplan/speed.h"
+#include "vandplan/motion.h"
 
 namespace vandplan::speed {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "vandplan/continuous_steering.h"
+#include "vandplan/steering.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,6 @@
 #include "steering/continuous/query_tasks.h"
 #include "steering/continuous/word_solver.h"
 #include "vandplan/input_error.h"
-#include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
 namespace {

@@ -13,7 +13,7 @@
 #include "base/trigonometry.h"
 #include "steering/rig_guesses.h"
 #include "steering/rig_shortlists.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::steering {
 namespace {

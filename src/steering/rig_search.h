@@ -12,7 +12,7 @@
 #include "steering/mean_frame.h"
 #include "steering/rig_word.h"
 #include "vandplan/path.h"
-#include "vandplan/rig_steering.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::steering {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "vandplan/rig_steering.h"
+#include "vandplan/steering.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,7 @@
 #include "steering/mean_frame.h"
 #include "steering/reeds_shepp_formulas.h"
 #include "steering/word.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "bound_entries.h"
 #include "tables/table_bytes.h"
-#include "vandplan/table_file.h"
+#include "vandplan/tables.h"
 
 namespace vandplan {
 

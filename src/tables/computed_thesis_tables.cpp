@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the Vändplan authors
 // Tables of the thesis in a small build. Each is computed at its first use; its entries equal those
 // of the stored tables.
-#include "vandplan/heuristic_table.h"
+#include "vandplan/tables.h"
 
 namespace vandplan {
 

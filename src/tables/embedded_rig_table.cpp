@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "rig_entries.h"
-#include "vandplan/bound_table.h"
+#include "tables/rig_table.h"
 #include "vandplan/input_error.h"
-#include "vandplan/rig_table.h"
+#include "vandplan/tables.h"
 #include "vehicle/hitch_motion.h"
 
 namespace vandplan {

@@ -9,7 +9,7 @@
 
 #include "simd/bound_grid.h"
 #include "tables/words_in_box.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::tables {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "vandplan/heuristic_table.h"
+#include "vandplan/tables.h"
 
 #include <array>
 #include <cmath>
@@ -14,7 +14,7 @@
 #include "simd/table_kernels.h"
 #include "tables/table_options.h"
 #include "vandplan/input_error.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

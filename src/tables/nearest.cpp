@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "vandplan/nearest.h"
+#include "vandplan/tables.h"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@
 #include "simd/bound_kernels.h"
 #include "tables/pose_grid.h"
 #include "vandplan/input_error.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "vandplan/rig_table.h"
+#include "tables/rig_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 #include "base/parallel.h"
 #include "base/require.h"
 #include "base/trigonometry.h"
-#include "vandplan/rig_steering.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

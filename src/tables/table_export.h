@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "vandplan/heuristic_table.h"
+#include "vandplan/tables.h"
 
 namespace vandplan::tables {
 

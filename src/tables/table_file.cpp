@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "vandplan/table_file.h"
+#include "vandplan/tables.h"
 
 #include <algorithm>
 #include <bit>

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include "vandplan/heuristic_table.h"
+#include "vandplan/tables.h"
 
 namespace vandplan::tables {
 

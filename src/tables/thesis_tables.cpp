@@ -7,7 +7,7 @@
 #include "hlut_2.h"
 #include "hlut_3.h"
 #include "hlut_4.h"
-#include "vandplan/heuristic_table.h"
+#include "vandplan/tables.h"
 
 namespace vandplan {
 

@@ -13,12 +13,11 @@
 #include "support/pose_pairs.h"
 #include "support/shared_files.h"
 #include "support/temporary_folder.h"
-#include "vandplan/dubins.h"
+#include "vandplan/files.h"
 #include "vandplan/path.h"
 #include "vandplan/planner.h"
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
-#include "vandplan/scenario_file.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "support/process.h"
 #include "support/yard.h"
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan {
 namespace {

@@ -14,8 +14,8 @@
 #include "support/process.h"
 #include "support/shared_files.h"
 #include "support/yard.h"
-#include "vandplan/path_check.h"
-#include "vandplan/scenario_file.h"
+#include "vandplan/files.h"
+#include "vandplan/judge.h"
 
 namespace vandplan {
 namespace {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "support/process.h"
-#include "vandplan/table_file.h"
+#include "vandplan/tables.h"
 
 namespace vandplan {
 namespace {

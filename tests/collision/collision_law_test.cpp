@@ -18,7 +18,7 @@
 #include "support/numbers.h"
 #include "support/problems.h"
 #include "vandplan/collision.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/random.h"
 
 namespace vandplan {

@@ -19,7 +19,7 @@
 #include "support/numbers.h"
 #include "support/problems.h"
 #include "vandplan/collision.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 
 namespace vandplan {
 namespace {

@@ -13,10 +13,10 @@
 
 #include "support/problems.h"
 #include "vandplan/collision.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/planner.h"
-#include "vandplan/rig.h"
 #include "vandplan/search.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan {
 namespace {

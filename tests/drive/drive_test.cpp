@@ -10,8 +10,8 @@
 #include "drive/outline.h"
 #include "support/problems.h"
 #include "vandplan/input_error.h"
-#include "vandplan/path_check.h"
-#include "vandplan/speed.h"
+#include "vandplan/judge.h"
+#include "vandplan/motion.h"
 
 namespace vandplan {
 namespace {

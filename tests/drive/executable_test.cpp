@@ -7,7 +7,7 @@
 #include "support/problems.h"
 #include "vandplan/drive.h"
 #include "vandplan/input_error.h"
-#include "vandplan/speed.h"
+#include "vandplan/motion.h"
 
 namespace vandplan {
 namespace {

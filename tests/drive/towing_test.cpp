@@ -12,7 +12,7 @@
 #include "vandplan/drive.h"
 #include "vandplan/input_error.h"
 #include "vandplan/random.h"
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan {
 namespace {

@@ -8,8 +8,8 @@
 #include <set>
 #include <tuple>
 
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan::evaluation {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "support/temporary_folder.h"
 #include "vandplan/evaluation.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

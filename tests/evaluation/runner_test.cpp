@@ -13,10 +13,10 @@
 #include "support/made_up_runs.h"
 #include "support/temporary_folder.h"
 #include "vandplan/input_error.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
 #include "vandplan/search.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::evaluation {
 namespace {

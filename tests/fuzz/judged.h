@@ -4,7 +4,7 @@
 // What does the judge say of a result that was read, whatever its format?
 
 #include "fuzz/fuzz.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/result_file.h"
 
 namespace vandplan::fuzz {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "fuzz/fuzz.h"
-#include "vandplan/primitives_file.h"
+#include "vandplan/files.h"
 
 using namespace vandplan;
 

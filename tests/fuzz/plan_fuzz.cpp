@@ -6,8 +6,8 @@
 
 #include "fuzz/fuzz.h"
 #include "nasty/naive_judge.h"
+#include "vandplan/files.h"
 #include "vandplan/planner.h"
-#include "vandplan/scenario_file.h"
 
 using namespace vandplan;
 

@@ -9,7 +9,7 @@
 #include "base/hash.h"
 #include "fuzz/judged.h"
 #include "support/yard.h"
-#include "vandplan/scenario_file.h"
+#include "vandplan/files.h"
 
 using namespace vandplan;
 

@@ -6,7 +6,7 @@
 
 #include "fuzz/judged.h"
 #include "support/yard.h"
-#include "vandplan/scenario_file.h"
+#include "vandplan/files.h"
 
 using namespace vandplan;
 

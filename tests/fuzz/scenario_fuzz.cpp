@@ -6,7 +6,7 @@
 
 #include "fuzz/fuzz.h"
 #include "io/document.h"
-#include "vandplan/scenario_file.h"
+#include "vandplan/files.h"
 
 using namespace vandplan;
 

@@ -6,8 +6,7 @@
 
 #include "fuzz/fuzz.h"
 #include "tables/table_bytes.h"
-#include "vandplan/heuristic_table.h"
-#include "vandplan/table_file.h"
+#include "vandplan/tables.h"
 
 using namespace vandplan;
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "fuzz/fuzz.h"
-#include "vandplan/scenario_file.h"
+#include "vandplan/files.h"
 
 using namespace vandplan;
 

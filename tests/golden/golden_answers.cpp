@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "vandplan/files.h"
 #include "vandplan/planner.h"
-#include "vandplan/scenario_file.h"
 
 namespace {
 

@@ -13,7 +13,6 @@
 #include "vandplan/input_error.h"
 #include "vandplan/random.h"
 #include "vandplan/result_file.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {

@@ -14,7 +14,6 @@
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
 #include "vandplan/result_file.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {

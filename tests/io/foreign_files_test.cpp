@@ -7,8 +7,8 @@
 #include <string>
 
 #include "support/reader_test.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 // Sites that somebody drew on a map.
-#include "vandplan/geojson.h"
+#include "vandplan/files.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,6 @@
 #include "support/temporary_folder.h"
 #include "vandplan/input_error.h"
 #include "vandplan/random.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {

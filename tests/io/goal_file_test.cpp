@@ -7,10 +7,10 @@
 #include <string>
 
 #include "support/temporary_folder.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
 #include "vandplan/result_file.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {

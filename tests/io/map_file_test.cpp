@@ -13,9 +13,9 @@
 #include "support/reader_test.h"
 #include "support/temporary_folder.h"
 #include "support/yard.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
 #include "vandplan/random.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 // Primitives of Nav2 and SBPL become exact ones, or are refused with their line.
-#include "vandplan/primitives_file.h"
+#include "vandplan/files.h"
 
 #include <gtest/gtest.h>
 

@@ -9,9 +9,9 @@
 #include <string>
 
 #include "support/temporary_folder.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
 #include "vandplan/result_file.h"
-#include "vandplan/scenario_file.h"
 #include "vandplan/version.h"
 
 namespace vandplan {

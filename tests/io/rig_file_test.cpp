@@ -10,8 +10,7 @@
 #include "support/reader_test.h"
 #include "vandplan/files.h"
 #include "vandplan/result_file.h"
-#include "vandplan/rig.h"
-#include "vandplan/scenario_file.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan {
 namespace {

@@ -9,7 +9,6 @@
 #include "support/temporary_folder.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {
@@ -355,7 +354,7 @@ std::vector<BadFile> bad_files() {
              "max_lateral_acceleration, max_jerk, hitch, max_hitch_angle, trailers, outline"),
       spoilt("name: yard", "title: yard",
              "1: unknown key \"title\", expected one of name, description, vehicle, bounds, start, "
-             "goal, goals, obstacles, kerbs, inside, map, unknown, moving, options"),
+             "goal, goals, obstacles, kerbs, inside, map, unknown, moving, options, origin"),
       spoilt("name: yard\n", "", "1: key \"name\" is missing, expected it"),
       spoilt("width: 2.55, ", "", "3: vehicle: key \"width\" is missing, expected it"),
       spoilt("  y: 5.25   # metres\n", "", "7: goal: key \"y\" is missing, expected it"),
@@ -364,7 +363,7 @@ std::vector<BadFile> bad_files() {
       spoilt("goal:", "gaol:",
              "6: unknown key \"gaol\", did you mean goal? Expected one of name, description, "
              "vehicle, bounds, start, "
-             "goal, goals, obstacles, kerbs, inside, map, unknown, moving, options"),
+             "goal, goals, obstacles, kerbs, inside, map, unknown, moving, options, origin"),
       spoilt("heading: .5", "y: 6",
              "9: key \"y\" is given again, expected it once (first on line 8)"),
       spoilt("start:", "map: yard.yaml\nstart:",

@@ -9,8 +9,8 @@
 #include <limits>
 
 #include "support/problems.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {

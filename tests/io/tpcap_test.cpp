@@ -9,8 +9,8 @@
 
 #include "support/shared_files.h"
 #include "support/temporary_folder.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "support/cases.h"
 #include "support/reader_test.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "support/problems.h"
 #include "support/shared_files.h"
+#include "vandplan/files.h"
 #include "vandplan/result_file.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {

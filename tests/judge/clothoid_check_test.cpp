@@ -15,7 +15,7 @@
 #include "support/cases.h"
 #include "support/clothoid_oracle.h"
 #include "support/problems.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 
 namespace vandplan {
 namespace {

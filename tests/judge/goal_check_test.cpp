@@ -11,8 +11,8 @@
 #include "support/cases.h"
 #include "support/draws.h"
 #include "support/problems.h"
-#include "vandplan/path_check.h"
-#include "vandplan/rig.h"
+#include "vandplan/judge.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan {
 namespace {

@@ -15,7 +15,7 @@
 #include "judge/along.h"
 #include "support/cases.h"
 #include "support/problems.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/random.h"
 
 namespace vandplan {

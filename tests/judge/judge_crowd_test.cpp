@@ -21,7 +21,7 @@
 #include "support/numbers.h"
 #include "support/problems.h"
 #include "vandplan/input_error.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/random.h"
 
 namespace vandplan {

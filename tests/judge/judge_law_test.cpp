@@ -17,7 +17,7 @@
 #include "support/map_cases.h"
 #include "support/numbers.h"
 #include "support/problems.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/random.h"
 
 namespace vandplan {

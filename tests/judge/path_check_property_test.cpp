@@ -10,7 +10,7 @@
 #include "support/naive_check.h"
 #include "support/problems.h"
 #include "support/radius.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/random.h"
 
 namespace vandplan {

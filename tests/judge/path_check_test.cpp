@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "vandplan/path_check.h"
 #include "support/numbers.h"
+#include "vandplan/judge.h"
 
 #include <gtest/gtest.h>
 

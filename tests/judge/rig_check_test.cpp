@@ -14,9 +14,9 @@
 #include "support/cases.h"
 #include "support/collision_oracle.h"
 #include "support/draws.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/problem.h"
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan {
 namespace {

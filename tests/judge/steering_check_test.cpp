@@ -10,8 +10,8 @@
 
 #include "support/cases.h"
 #include "support/problems.h"
-#include "vandplan/continuous_steering.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

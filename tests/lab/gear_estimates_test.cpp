@@ -9,9 +9,8 @@
 
 #include "../support/cases.h"
 #include "lab/estimates.h"
-#include "vandplan/dubins.h"
-#include "vandplan/heuristic_table.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
+#include "vandplan/tables.h"
 
 namespace vandplan {
 namespace {

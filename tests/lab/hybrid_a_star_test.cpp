@@ -10,11 +10,11 @@
 #include "../support/cases.h"
 #include "../support/problems.h"
 #include "lab/voronoi_field.h"
-#include "vandplan/goal_estimate.h"
-#include "vandplan/heuristic_table.h"
+#include "vandplan/graphs.h"
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
 #include "vandplan/random.h"
+#include "vandplan/tables.h"
 
 namespace vandplan {
 namespace {

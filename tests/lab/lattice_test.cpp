@@ -8,10 +8,10 @@
 
 #include "support/cases.h"
 #include "support/problems.h"
+#include "vandplan/graphs.h"
 #include "vandplan/input_error.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/planner.h"
-#include "vandplan/primitives.h"
 
 namespace vandplan {
 namespace {

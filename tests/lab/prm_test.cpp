@@ -13,10 +13,10 @@
 #include "support/numbers.h"
 #include "support/problems.h"
 #include "support/radius.h"
+#include "vandplan/graphs.h"
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
-#include "vandplan/reeds_shepp.h"
-#include "vandplan/roadmap.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

@@ -12,7 +12,7 @@
 #include "support/problems.h"
 #include "support/radius.h"
 #include "vandplan/planner.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

@@ -9,10 +9,10 @@
 
 #include "support/cases.h"
 #include "support/shared_files.h"
-#include "vandplan/path_check.h"
+#include "vandplan/files.h"
+#include "vandplan/judge.h"
 #include "vandplan/planner.h"
-#include "vandplan/reeds_shepp.h"
-#include "vandplan/scenario_file.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

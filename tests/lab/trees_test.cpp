@@ -21,8 +21,8 @@
 #include "support/radius.h"
 #include "vandplan/planner.h"
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
 #include "vandplan/search.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "vandplan/moving.h"
+#include "vandplan/motion.h"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,9 @@
 #include "moving/encounters.h"
 #include "support/cases.h"
 #include "support/problems.h"
-#include "vandplan/drive_check.h"
 #include "vandplan/input_error.h"
-#include "vandplan/rig.h"
+#include "vandplan/judge.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan {
 namespace {

@@ -11,7 +11,7 @@
 #include "nasty/trial.h"
 #include "support/cases.h"
 #include "support/problems.h"
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan::nasty {
 namespace {

@@ -13,14 +13,13 @@
 #include "nasty/nasty_world.h"
 #include "support/draws.h"
 #include "support/temporary_folder.h"
-#include "vandplan/drive_check.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
+#include "vandplan/judge.h"
+#include "vandplan/motion.h"
 #include "vandplan/planner.h"
 #include "vandplan/random.h"
 #include "vandplan/result_file.h"
-#include "vandplan/scenario_file.h"
-#include "vandplan/smooth.h"
-#include "vandplan/speed.h"
 
 namespace vandplan::nasty {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "support/cases.h"
 #include "support/ompl_query.h"
-#include "vandplan/ompl_geometric.h"
+#include "vandplan/ompl.h"
 #include "vandplan/random.h"
 
 namespace vandplan {

@@ -13,10 +13,9 @@
 #include "support/draws.h"
 #include "support/problems.h"
 #include "support/radius.h"
-#include "vandplan/dubins.h"
 #include "vandplan/planner.h"
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

@@ -18,7 +18,7 @@
 #include "planners/anytime/survey.h"
 #include "planners/anytime/trees.h"
 #include "search/grid_distance.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/random.h"
 
 namespace vandplan {

@@ -8,9 +8,9 @@
 
 #include "../support/problems.h"
 #include "planners/anytime/shares.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/planner.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

@@ -19,7 +19,7 @@
 #include "support/draws.h"
 #include "support/problems.h"
 #include "support/radius.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/planner.h"
 
 namespace vandplan {

@@ -10,7 +10,7 @@
 #include "../support/draws.h"
 #include "../support/problems.h"
 #include "vandplan/planner.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

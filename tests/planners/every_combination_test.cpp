@@ -13,7 +13,7 @@
 
 #include "support/cases.h"
 #include "support/problems.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/planner.h"
 
 namespace vandplan {

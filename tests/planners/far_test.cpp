@@ -21,7 +21,7 @@
 #include "search/far_guide.h"
 #include "search/grid_distance.h"
 #include "search/polygon_squares.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/planner.h"
 #include "vandplan/random.h"
 

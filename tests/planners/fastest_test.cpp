@@ -11,9 +11,9 @@
 #include "../support/problems.h"
 #include "planners/drive_time.h"
 #include "vandplan/input_error.h"
+#include "vandplan/motion.h"
 #include "vandplan/planner.h"
 #include "vandplan/random.h"
-#include "vandplan/speed.h"
 
 namespace vandplan {
 namespace {

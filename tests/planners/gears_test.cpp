@@ -16,14 +16,11 @@
 #include "planners/pricing.h"
 #include "support/cases.h"
 #include "support/problems.h"
-#include "vandplan/dubins.h"
 #include "vandplan/input_error.h"
-#include "vandplan/path_check.h"
-#include "vandplan/path_source.h"
+#include "vandplan/judge.h"
 #include "vandplan/planner.h"
-#include "vandplan/reeds_shepp.h"
 #include "vandplan/search.h"
-#include "vandplan/smooth.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

@@ -19,12 +19,10 @@
 #include "support/draws.h"
 #include "support/problems.h"
 #include "vandplan/input_error.h"
-#include "vandplan/live_drive.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/planner.h"
-#include "vandplan/reeds_shepp.h"
 #include "vandplan/replanner.h"
-#include "vandplan/smooth.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

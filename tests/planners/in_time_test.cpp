@@ -12,7 +12,7 @@
 #include "support/problems.h"
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan {
 namespace {

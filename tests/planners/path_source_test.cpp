@@ -3,7 +3,7 @@
 
 // What becomes of paths that the caller proposes while the default planner runs?
 
-#include "vandplan/path_source.h"
+#include "vandplan/planner.h"
 
 #include <gtest/gtest.h>
 

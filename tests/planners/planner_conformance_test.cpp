@@ -9,7 +9,7 @@
 
 #include "../support/planner_names.h"
 #include "../support/problems.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/planner.h"
 
 namespace vandplan {

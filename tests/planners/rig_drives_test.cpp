@@ -16,7 +16,7 @@
 #include "support/cases.h"
 #include "support/problems.h"
 #include "vandplan/planner.h"
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan::rig {
 namespace {

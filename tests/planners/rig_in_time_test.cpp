@@ -8,9 +8,9 @@
 
 #include "support/cases.h"
 #include "support/problems.h"
+#include "vandplan/motion.h"
 #include "vandplan/path.h"
 #include "vandplan/planner.h"
-#include "vandplan/speed.h"
 
 namespace vandplan {
 namespace {

@@ -21,13 +21,12 @@
 #include "support/cases.h"
 #include "support/draws.h"
 #include "support/problems.h"
-#include "vandplan/path_check.h"
-#include "vandplan/path_source.h"
+#include "vandplan/files.h"
+#include "vandplan/judge.h"
+#include "vandplan/motion.h"
 #include "vandplan/planner.h"
-#include "vandplan/reeds_shepp.h"
-#include "vandplan/rig.h"
-#include "vandplan/scenario_file.h"
-#include "vandplan/speed.h"
+#include "vandplan/steering.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan {
 namespace {

@@ -6,8 +6,8 @@
 #include "../support/cases.h"
 #include "../support/continuity.h"
 #include "../support/shared_files.h"
+#include "vandplan/files.h"
 #include "vandplan/planner.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan {
 namespace {

@@ -12,11 +12,10 @@
 #include <vector>
 
 #include "support/problems.h"
-#include "vandplan/goal_estimate.h"
-#include "vandplan/path_check.h"
-#include "vandplan/rig.h"
-#include "vandplan/roadmap.h"
+#include "vandplan/graphs.h"
+#include "vandplan/judge.h"
 #include "vandplan/search.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan {
 namespace {

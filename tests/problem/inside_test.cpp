@@ -13,10 +13,10 @@
 #include "support/draws.h"
 #include "support/place_of_error.h"
 #include "support/problems.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/planner.h"
 #include "vandplan/replanner.h"
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan {
 namespace {

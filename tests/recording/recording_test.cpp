@@ -14,7 +14,7 @@
 #include "support/temporary_folder.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan {
 namespace {

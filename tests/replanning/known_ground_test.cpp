@@ -7,7 +7,7 @@
 #include "support/cases.h"
 #include "support/grids.h"
 #include "vandplan/input_error.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/planner.h"
 
 namespace vandplan {

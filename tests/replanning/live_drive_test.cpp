@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "vandplan/live_drive.h"
+#include "vandplan/replanner.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include "replanning/sensor.h"
 #include "support/place_of_error.h"
 #include "support/problems.h"
-#include "vandplan/drive_check.h"
 #include "vandplan/input_error.h"
+#include "vandplan/judge.h"
 
 namespace vandplan {
 namespace {

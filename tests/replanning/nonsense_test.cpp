@@ -8,20 +8,15 @@
 
 #include "support/numbers.h"
 #include "support/place_of_error.h"
-#include "vandplan/bound_table.h"
+#include "tables/rig_table.h"
 #include "vandplan/collision.h"
 #include "vandplan/drive.h"
-#include "vandplan/drive_check.h"
-#include "vandplan/dubins.h"
-#include "vandplan/heuristic_table.h"
-#include "vandplan/moving.h"
-#include "vandplan/nearest.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
+#include "vandplan/motion.h"
 #include "vandplan/planner.h"
-#include "vandplan/reeds_shepp.h"
-#include "vandplan/rig.h"
-#include "vandplan/rig_table.h"
-#include "vandplan/speed.h"
+#include "vandplan/steering.h"
+#include "vandplan/tables.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan {
 namespace {

@@ -10,9 +10,8 @@
 #include "speed/moving_start.h"
 #include "support/problems.h"
 #include "support/replans.h"
-#include "vandplan/drive_check.h"
 #include "vandplan/input_error.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/planner.h"
 #include "vandplan/search.h"
 

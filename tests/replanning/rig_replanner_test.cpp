@@ -10,7 +10,7 @@
 #include "support/place_of_error.h"
 #include "support/problems.h"
 #include "support/replans.h"
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan {
 namespace {

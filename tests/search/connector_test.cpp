@@ -9,11 +9,10 @@
 #include "../support/cases.h"
 #include "../support/draws.h"
 #include "../support/problems.h"
-#include "vandplan/dubins.h"
 #include "vandplan/input_error.h"
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
 #include "vandplan/search.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

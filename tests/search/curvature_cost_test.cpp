@@ -10,7 +10,7 @@
 #include "support/cases.h"
 #include "support/problems.h"
 #include "support/radius.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/planner.h"
 #include "vandplan/random.h"
 #include "vandplan/search.h"

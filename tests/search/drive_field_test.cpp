@@ -15,7 +15,7 @@
 #include "search/grid_distance.h"
 #include "support/cases.h"
 #include "support/problems.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 // What do estimates know, and are those that say so never above the length of a path?
-#include "vandplan/goal_estimate.h"
+#include "vandplan/graphs.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

@@ -20,7 +20,7 @@
 #include "search/geodesic_field.h"
 #include "vandplan/planner.h"
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

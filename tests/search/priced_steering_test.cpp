@@ -12,12 +12,11 @@
 #include "support/leads.h"
 #include "support/problems.h"
 #include "support/radius.h"
-#include "vandplan/dubins.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/planner.h"
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
 #include "vandplan/search.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

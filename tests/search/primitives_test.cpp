@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 // Primitives join vertices exactly; their table bounds every way over them.
-#include "vandplan/primitives.h"
+#include "vandplan/graphs.h"
 
 #include <gtest/gtest.h>
 
@@ -15,10 +15,9 @@
 #include "lab/lattice_table.h"
 #include "support/cases.h"
 #include "support/problems.h"
-#include "vandplan/dubins.h"
 #include "vandplan/input_error.h"
-#include "vandplan/reeds_shepp.h"
 #include "vandplan/search.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::search {
 namespace {

@@ -11,8 +11,8 @@
 #include "support/drive_oracle.h"
 #include "support/jerk_oracle.h"
 #include "support/problems.h"
-#include "vandplan/drive_check.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/judge.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "support/draws.h"
 #include "support/pair_cases.h"
-#include "vandplan/continuous_steering.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

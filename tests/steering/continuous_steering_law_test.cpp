@@ -8,8 +8,7 @@
 #include <string>
 
 #include "steering/continuous_law.h"
-#include "vandplan/continuous_steering.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

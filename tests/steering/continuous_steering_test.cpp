@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "vandplan/continuous_steering.h"
 #include "support/radius.h"
+#include "vandplan/steering.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,6 @@
 
 #include "steering/continuous_law.h"
 #include "vandplan/input_error.h"
-#include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
 namespace {

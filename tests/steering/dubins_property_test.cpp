@@ -10,9 +10,8 @@
 #include "support/leads.h"
 #include "support/pair_cases.h"
 #include "support/radius.h"
-#include "vandplan/dubins.h"
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "vandplan/dubins.h"
 #include "support/radius.h"
+#include "vandplan/steering.h"
 
 #include <gtest/gtest.h>
 

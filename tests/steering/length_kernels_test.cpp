@@ -24,7 +24,7 @@
 #include "simd/turn_kernels.h"
 #include "support/pose_pairs.h"
 #include "support/simd_targets.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

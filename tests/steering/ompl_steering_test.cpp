@@ -5,8 +5,7 @@
 #include "support/leads.h"
 #include "support/pair_cases.h"
 #include "support/radius.h"
-#include "vandplan/dubins.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 #if __has_include(<ompl/base/spaces/ReedsSheppStateSpace.h>)
 

@@ -14,7 +14,7 @@
 #include "support/cases.h"
 #include "support/pose_pairs.h"
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

@@ -14,7 +14,7 @@
 #include "support/radius.h"
 #include "support/reeds_shepp_oracle.h"
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

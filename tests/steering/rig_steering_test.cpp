@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "vandplan/rig_steering.h"
 #include "support/numbers.h"
+#include "vandplan/steering.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,6 @@
 #include "support/cases.h"
 #include "support/draws.h"
 #include "vandplan/input_error.h"
-#include "vandplan/reeds_shepp.h"
 
 namespace vandplan {
 namespace {
@@ -52,7 +51,7 @@ std::string case_as_code(const Vehicle& v, const State& a, const State& b) {
          vandplan::as_code(b.pose) + " " + vandplan::as_code(b.hitch_angle);
 }
 
-/// Whether the path leads from state to state within the limits, by the motion of rig.h.
+/// Whether the path leads from state to state within the limits, by the motion of vehicle.h.
 testing::AssertionResult leads(const Vehicle& vehicle, const State& from, const State& to,
                                const Piece& piece) {
   const auto wrong = [&](const std::string& what) {

@@ -13,10 +13,9 @@
 #include "studies/steering.h"
 #include "studies/symmetry.h"
 #include "support/cases.h"
-#include "vandplan/dubins.h"
-#include "vandplan/heuristic_table.h"
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
+#include "vandplan/tables.h"
 
 namespace vandplan::studies {
 namespace {

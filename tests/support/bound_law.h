@@ -11,9 +11,9 @@
 #include <string>
 
 #include "support/cases.h"
-#include "vandplan/bound_table.h"
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
+#include "vandplan/tables.h"
 
 namespace vandplan {
 

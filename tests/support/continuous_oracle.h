@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
-#include "vandplan/continuous_steering.h"
 #include "vandplan/path.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 

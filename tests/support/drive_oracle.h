@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "vandplan/speed.h"
+#include "vandplan/motion.h"
 
 namespace vandplan {
 

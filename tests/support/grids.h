@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "vandplan/occupancy_grid.h"
+#include "vandplan/geometry.h"
 #include "vandplan/random.h"
 
 namespace vandplan {

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "support/slow_judge.h"
+#include "vandplan/judge.h"
 #include "vandplan/path.h"
-#include "vandplan/path_check.h"
 
 namespace vandplan {
 

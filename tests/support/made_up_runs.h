@@ -7,7 +7,7 @@
 #include <string>
 
 #include "evaluation/run_record.h"
-#include "vandplan/scenario_file.h"
+#include "vandplan/files.h"
 
 namespace vandplan::evaluation {
 

@@ -7,8 +7,7 @@
 #include <string>
 
 #include "replanning/timed_path.h"
-#include "vandplan/drive_check.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/replanner.h"
 
 namespace vandplan {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "vandplan/bound_table.h"
 #include "vandplan/random.h"
+#include "vandplan/tables.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "vandplan/heuristic_table.h"
+#include "vandplan/tables.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,9 @@
 #include <numbers>
 #include <vector>
 
-#include "vandplan/bound_table.h"
 #include "vandplan/input_error.h"
 #include "vandplan/random.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

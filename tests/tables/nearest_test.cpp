@@ -3,8 +3,8 @@
 
 // The nearest node is that of comparing all exact lengths, ties included.
 
-#include "vandplan/nearest.h"
 #include "vandplan/random.h"
+#include "vandplan/tables.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "support/cases.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan {
 namespace {

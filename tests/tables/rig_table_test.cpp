@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "vandplan/rig_table.h"
+#include "tables/rig_table.h"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +9,11 @@
 
 #include "support/cases.h"
 #include "support/draws.h"
-#include "vandplan/bound_table.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
 #include "vandplan/random.h"
-#include "vandplan/rig_steering.h"
-#include "vandplan/scenario_file.h"
+#include "vandplan/steering.h"
+#include "vandplan/tables.h"
 
 namespace vandplan {
 namespace {

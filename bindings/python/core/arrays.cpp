@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "vandplan/heading_doubt.h"
+#include "vandplan/files.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan::python {

@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "vandplan/geometry.h"
+#include "vandplan/judge.h"
 #include "vandplan/path.h"
-#include "vandplan/path_check.h"
 
 namespace vandplan::python {
 

@@ -6,8 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "vandplan/drive_check.h"
-#include "vandplan/path_check.h"
+#include "vandplan/judge.h"
 #include "vandplan/planner.h"
 
 namespace vandplan::python {

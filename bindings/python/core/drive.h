@@ -8,9 +8,8 @@
 #include <optional>
 
 #include "bindings/python/core/result.h"
-#include "vandplan/live_drive.h"
-#include "vandplan/moving.h"
-#include "vandplan/speed.h"
+#include "vandplan/motion.h"
+#include "vandplan/replanner.h"
 
 namespace vandplan::python {
 

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "vandplan/goal_set.h"
+#include "vandplan/path.h"
 
 namespace vandplan::python {
 

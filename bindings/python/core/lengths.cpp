@@ -15,12 +15,9 @@
 #include "bindings/python/core/arrays.h"
 #include "bindings/python/core/bind.h"
 #include "bindings/python/core/path.h"
-#include "vandplan/bound_table.h"
-#include "vandplan/continuous_steering.h"
-#include "vandplan/dubins.h"
 #include "vandplan/input_error.h"
-#include "vandplan/nearest.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
+#include "vandplan/tables.h"
 
 namespace vandplan::python {
 namespace {

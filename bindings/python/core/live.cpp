@@ -3,7 +3,7 @@
 
 // A vehicle that replans while it drives.
 
-#include "vandplan/live_drive.h"
+#include "vandplan/replanner.h"
 
 #include <fmt/format.h>
 

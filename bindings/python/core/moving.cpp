@@ -3,7 +3,7 @@
 
 // Moving obstacles.
 
-#include "vandplan/moving.h"
+#include "vandplan/motion.h"
 
 #include <fmt/format.h>
 

@@ -12,9 +12,8 @@
 
 #include "bindings/python/core/arrays.h"
 #include "bindings/python/core/bind.h"
-#include "vandplan/dubins.h"
 #include "vandplan/input_error.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::python {
 namespace {

@@ -7,8 +7,8 @@
 
 #include <string_view>
 
-#include "vandplan/continuous_steering.h"
 #include "vandplan/path.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::python {
 

@@ -15,7 +15,7 @@
 #include "bindings/python/core/result.h"
 #include "bindings/python/core/task.h"
 #include "bindings/python/core/value.h"
-#include "vandplan/path_source.h"
+#include "vandplan/planner.h"
 
 namespace vandplan::python {
 namespace {

@@ -14,7 +14,7 @@
 #include "bindings/python/core/renamed.h"
 #include "bindings/python/core/result.h"
 #include "vandplan/input_error.h"
-#include "vandplan/smooth.h"
+#include "vandplan/planner.h"
 
 namespace vandplan::python {
 namespace {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "vandplan/files.h"
 #include "vandplan/problem.h"
-#include "vandplan/scenario_file.h"
 
 namespace vandplan::python {
 

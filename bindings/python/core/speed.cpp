@@ -3,7 +3,7 @@
 
 // Speeds along a path.
 
-#include "vandplan/speed.h"
+#include "vandplan/motion.h"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 
 #include <optional>
 
-#include "vandplan/outcome.h"
+#include "vandplan/problem.h"
 #include "vandplan/search.h"
 
 namespace vandplan::python {

@@ -5,7 +5,7 @@
 
 #include "bindings/web/core/values.h"
 #include "vandplan/input_error.h"
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan::web {
 namespace {

@@ -11,13 +11,11 @@
 #include <memory>
 
 #include "bindings/web/core/values.h"
-#include "vandplan/bound_table.h"
-#include "vandplan/dubins.h"
-#include "vandplan/heuristic_table.h"
 #include "vandplan/input_error.h"
-#include "vandplan/reeds_shepp.h"
-#include "vandplan/rig.h"
-#include "vandplan/speed.h"
+#include "vandplan/motion.h"
+#include "vandplan/steering.h"
+#include "vandplan/tables.h"
+#include "vandplan/vehicle.h"
 #include "vandplan/version.h"
 
 namespace vandplan::web {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "vandplan/input_error.h"
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan::web {
 namespace {

@@ -8,7 +8,6 @@
 
 #include "planners/anytime/compose.h"
 #include "planners/path_search.h"
-#include "vandplan/outcome.h"
 #include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
 

@@ -9,8 +9,8 @@
 
 #include "planners/anytime/portfolio.h"
 #include "vandplan/path.h"
-#include "vandplan/path_source.h"
 #include "vandplan/plan_options.h"
+#include "vandplan/planner.h"
 #include "vandplan/problem.h"
 
 namespace vandplan::anytime {

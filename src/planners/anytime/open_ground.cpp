@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "steering/dubins_bound.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::anytime {
 namespace {

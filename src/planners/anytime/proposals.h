@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "planners/anytime/source.h"
-#include "vandplan/path_source.h"
+#include "vandplan/planner.h"
 #include "vandplan/search.h"
 
 namespace vandplan::anytime {

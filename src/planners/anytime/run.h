@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "planners/anytime/portfolio.h"
-#include "vandplan/outcome.h"
 #include "vandplan/plan_options.h"
+#include "vandplan/problem.h"
 #include "vandplan/search.h"
 
 namespace vandplan::anytime {

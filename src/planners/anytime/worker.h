@@ -13,7 +13,7 @@
 
 #include "planners/anytime/drive.h"
 #include "search/route.h"
-#include "vandplan/outcome.h"
+#include "vandplan/problem.h"
 #include "vandplan/search.h"
 
 namespace vandplan::anytime {

@@ -12,7 +12,7 @@
 
 #include "planners/commands/wheels.h"
 #include "vandplan/problem.h"
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan::commands {
 

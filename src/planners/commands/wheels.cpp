@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vandplan/continuous_steering.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::commands {
 namespace {

@@ -14,7 +14,7 @@
 #include "planners/rig/exact_drive.h"
 #include "planners/rig/rig_search.h"
 #include "vandplan/random.h"
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan::rig {
 namespace {

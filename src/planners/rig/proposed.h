@@ -8,7 +8,7 @@
 
 #include "planners/rig/chain_source.h"
 #include "planners/rig/exact_drive.h"
-#include "vandplan/path_source.h"
+#include "vandplan/planner.h"
 
 namespace vandplan::rig {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/trigonometry.h"
-#include "vandplan/reeds_shepp.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::rig {
 namespace {

@@ -18,9 +18,9 @@
 #include "planners/rig/exact_drive.h"
 #include "search/grid_distance.h"
 #include "vandplan/random.h"
-#include "vandplan/rig.h"
-#include "vandplan/rig_steering.h"
 #include "vandplan/search.h"
+#include "vandplan/steering.h"
+#include "vandplan/vehicle.h"
 #include "vehicle/hitch_motion.h"
 
 namespace vandplan::rig {

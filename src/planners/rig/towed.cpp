@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "planners/anytime/open_ground.h"
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 #include "vehicle/hitch_motion.h"
 
 namespace vandplan::rig {

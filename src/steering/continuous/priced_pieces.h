@@ -6,7 +6,7 @@
 #include <functional>
 #include <span>
 
-#include "vandplan/continuous_steering.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::steering::continuous {
 

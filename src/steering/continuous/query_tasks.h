@@ -10,8 +10,8 @@
 
 #include "steering/continuous/word_search.h"
 #include "steering/continuous/word_task.h"
-#include "vandplan/continuous_steering.h"
 #include "vandplan/geometry.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::steering::continuous {
 

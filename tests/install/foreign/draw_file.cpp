@@ -4,7 +4,6 @@
 // Reads a scenario and draws it, with installed headers only.
 #include <vandplan/draw.h>
 #include <vandplan/files.h>
-#include <vandplan/scenario_file.h>
 
 int main(int argc, char** argv) {
   if (argc != 3) return 2;

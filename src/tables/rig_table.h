@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "vandplan/rig.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan {
 
