@@ -203,10 +203,11 @@ TEST_F(BadInput, OutputWithoutAName) {
 
 TEST_F(BadInput, OutputWhoseEndingPromisesAnotherFormat) {
   const std::string file = folder_ / "poses.CSV";
-  EXPECT_EQ(complaint_of_plan({"--output", file, "--time", "60"}),
-            file +
-                ": ends in .CSV, but a result is JSON or binary, expected a name that ends in "
-                ".json");
+  EXPECT_EQ(
+      complaint_of_plan({"--output", file, "--time", "60"}),
+      file +
+          ": ends in .CSV, but a result is JSON, binary or GeoJSON, expected a name that ends in "
+          ".json");
   EXPECT_EQ(complaint_of_plan({"--poses", scenario_, "--output", folder_ / "a.yaml"}),
             (folder_ / "a.yaml") +
                 ": ends in .yaml, but results of --poses are JSON Lines or binary, "
