@@ -182,10 +182,9 @@ class Replanner {
 
   /// Plans at time `t` [s] for a vehicle in that state. Beyond 0.5 m, 0.5 m/s or 10 degrees of
   /// heading or hitch angle from the last answer the plan begins at the state, otherwise at the
-  /// planned state. The first tick
-  /// begins at the scenario's start and ignores the state. Throws InputError naming "t",
-  /// "state.pose", "state.v", "state.curvature" or "state.hitch_angle" that is not finite or out of
-  /// range; the answer then stays as it was.
+  /// planned state. The first tick begins at the scenario's start and ignores the state. Throws
+  /// InputError naming "t", "state.pose", "state.v", "state.curvature" or "state.hitch_angle" that
+  /// is not finite or out of range; the answer then stays as it was.
   ReplanAnswer tick(double t, const VehicleState& state, const TickLimit& limit = {});
 
   /// The answer of the last tick; it has no drive before the first one.

@@ -9,9 +9,8 @@
 namespace vandplan::anytime {
 
 /// A route whose strokes before and after gear changes have at least `least` [m], where there is
-/// room. A shorter stroke is left out, or the gear changes later and
-/// another way leads back: the cheapest free choice. `beside`: what is driven before and after the
-/// route. The result is priced.
+/// room. A shorter stroke is left out, or the gear changes later and another way leads back: the
+/// cheapest free choice. `beside`: what is driven before and after the route. The result is priced.
 [[nodiscard]] search::Route with_strokes(search::Connector& connector,
                                          const search::DrivenBeside& beside, search::Route route,
                                          double least);
