@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-// Prints what every planner answers to the thesis' scenarios: a line for each run with its status,
-// cost, counts and a hash of the path. compare_answers compares them with answers.txt.
-// usage: golden_answers FOLDER_OF_SCENARIOS
+// Prints what every planner answers to the thesis' scenarios, to those with a trailer and to those
+// with moving obstacles: a line for each run with its status, cost, counts and a hash of the path.
+// compare_answers compares them with answers.txt.
+// usage: golden_answers SCENARIOS
 
 #include <algorithm>
 #include <bit>
@@ -57,21 +58,33 @@ void answer(const std::string& scenario, const Problem& problem, const Planner& 
   }
 }
 
-// Searches of the literature expand many small steps before they find a path.
-bool is_of_literature(const Planner& planner) {
+// Iterations until most runs have an answer. Searches of the literature expand many small steps
+// before they find a path, and so do those for a vehicle with a trailer.
+std::int64_t iterations_of(const Planner& planner, const Problem& problem) {
   const std::vector<std::string>& groups = planner.properties.groups;
-  return std::find(groups.begin(), groups.end(), "family") != groups.end();
+  if (problem.vehicle().trailer) return 12000;
+  if (std::find(groups.begin(), groups.end(), "family") != groups.end()) return 6000;
+  return planner.can(Capability::prices) ? 2000 : 600;
+}
+
+// A map that a scenario names lies beside it.
+bool is_scenario(const std::filesystem::path& file) {
+  return file.extension() == ".yaml" && !file.stem().string().ends_with("-cells");
 }
 
 void answer_all(const std::string& file) {
   const auto [scenario, problems] = read_problems(file);
   const std::size_t goal = scenario.is_row() ? problems.size() / 2 : 0;
+  const Task& task = problems[goal].task();
+  const bool is_plain = !task.vehicle.trailer && task.moving.empty();
   std::string name = scenario.scenario.name;
   if (scenario.is_row()) name += " goal " + std::to_string(goal);
   for (const Planner& planner : planners()) {
+    const bool takes_all = planner.can(Capability::trailers) && planner.can(Capability::moving);
+    if (!is_plain && !takes_all) continue;
     const bool honours_prices = planner.can(Capability::prices);
     PlanOptions options{.cost = shortest_style, .steering = Steering::reeds_shepp};
-    options.budget.max_iterations = is_of_literature(planner) ? 6000 : honours_prices ? 2000 : 600;
+    options.budget.max_iterations = iterations_of(planner, problems[goal]);
     answer(name, problems[goal], planner, options, "");
     if (!honours_prices) continue;
     options.cost.reverse_weight = 2;
@@ -81,6 +94,10 @@ void answer_all(const std::string& file) {
     options.steering.reset();
     answer(name, problems[goal], planner, options, " style=driver");
     if (!planner.can(Capability::steering)) continue;
+    if (!is_plain) {
+      options.cost = {.measure = CostMeasure::time};
+      answer(name, problems[goal], planner, options, " cost=time");
+    }
     options.cost = shortest_style;
     options.steering = Steering::continuous_between_stops;
     answer(name, problems[goal], planner, options, " steering=continuous-between-stops");
@@ -94,8 +111,8 @@ void answer_all(const std::string& file) {
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
   std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::directory_iterator(argv[1])) {
-    files.push_back(entry.path().string());
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(argv[1])) {
+    if (is_scenario(entry.path())) files.push_back(entry.path().string());
   }
   std::sort(files.begin(), files.end());
   for (const std::string& file : files) answer_all(file);
