@@ -20,7 +20,6 @@ constexpr std::int64_t looks_of_step = 2000;  // Cells beside sides that one cal
 ClearanceRaster::ClearanceRaster(const Task& task, const Bounds& box, double most)
     : ground_(&task.world->local()),
       map_(ground_->map ? task.checker.get() : nullptr),
-      box_(box),
       margin_(task.least_margin),
       is_trusted_(ground_->kerbs.empty() && task.vehicle.outline.empty()) {
   const Footprint body = footprint(task.vehicle);
@@ -29,13 +28,15 @@ ClearanceRaster::ClearanceRaster(const Task& task, const Bounds& box, double mos
   reach_ = static_cast<float>(reach + margin_);
   const double width = box.x_max - box.x_min;
   const double height = box.y_max - box.y_min;
-  side_ = std::max({task.vehicle.width / cells_of_width, std::sqrt(width * height / max_cells),
-                    std::max(width, height) / max_cells});
-  per_side_ = static_cast<float>(1 / side_);
-  most_ = static_cast<float>(most + side_);
-  furthest_ = most + side_ + margin_ + reach;
-  columns_ = static_cast<std::int32_t>(width / side_) + 2;
-  rows_ = static_cast<std::int32_t>(height / side_) + 2;
+  const double side =
+      std::max({task.vehicle.width / cells_of_width, std::sqrt(width * height / max_cells),
+                std::max(width, height) / max_cells});
+  raster_ = {{box.x_min, box.y_min}, side};
+  per_side_ = static_cast<float>(1 / side);
+  most_ = static_cast<float>(most + side);
+  furthest_ = most + side + margin_ + reach;
+  columns_ = static_cast<std::int32_t>(width / side) + 2;
+  rows_ = static_cast<std::int32_t>(height / side) + 2;
   distances_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_),
                     static_cast<float>(furthest_));
   if (map_ != nullptr) is_asked_.assign(distances_.size(), false);
@@ -59,32 +60,14 @@ ClearanceRaster::ClearanceRaster(const Task& task, const Bounds& box, double mos
   }
 }
 
-std::int32_t ClearanceRaster::column_of(double x) const noexcept {
-  return static_cast<std::int32_t>(std::clamp((x - box_.x_min) / side_, 0.0, columns_ - 1.0));
-}
-
-std::int32_t ClearanceRaster::row_of(double y) const noexcept {
-  return static_cast<std::int32_t>(std::clamp((y - box_.y_min) / side_, 0.0, rows_ - 1.0));
-}
-
 /// Stores the distance to a side in the cells around it. Returns the number of cells it looked at.
 std::int64_t ClearanceRaster::mark(const Point& a, const Point& b) {
-  std::int64_t looks = 1;
-  const std::int32_t last_row = row_of(std::max(a.y, b.y) + furthest_);
-  for (std::int32_t row = row_of(std::min(a.y, b.y) - furthest_); row <= last_row; ++row) {
-    const double y = box_.y_min + (row + 0.5) * side_;
-    const double one = place_at(a, b, y - furthest_);
-    const double other = place_at(a, b, y + furthest_);
-    const std::int32_t last = column_of(std::max(one, other) + furthest_);
-    for (std::int32_t column = column_of(std::min(one, other) - furthest_); column <= last;
-         ++column) {
-      const Point centre{box_.x_min + (column + 0.5) * side_, y};
-      float& distance = distances_[static_cast<std::size_t>(row * columns_ + column)];
-      distance = std::min(distance, static_cast<float>(std::sqrt(squared_distance(centre, a, b))));
-      ++looks;
-    }
-  }
-  return looks;
+  const RasterCell last{columns_ - 1, rows_ - 1};
+  const auto store = [this](const RasterCell& cell, double squared) {
+    float& distance = distances_[index_of(cell)];
+    distance = std::min(distance, static_cast<float>(std::sqrt(squared)));
+  };
+  return 1 + raster_.visit_near(a, b, furthest_, {0, 0}, last, store);
 }
 
 bool ClearanceRaster::step() {
@@ -101,19 +84,19 @@ bool ClearanceRaster::step() {
 
 /// Distance from the centre of a cell [m]. A map is looked up on demand: most cells are never asked
 /// for, and looking all up takes long.
-float ClearanceRaster::distance_of(std::int32_t column, std::int32_t row) noexcept {
-  const auto cell = static_cast<std::size_t>(row * columns_ + column);
+float ClearanceRaster::distance_of(const RasterCell& at) noexcept {
+  const std::size_t cell = index_of(at);
   float& distance = distances_[cell];
   if (map_ == nullptr || is_asked_[cell]) return distance;
   is_asked_[cell] = true;
-  const Point centre{box_.x_min + (column + 0.5) * side_, box_.y_min + (row + 0.5) * side_};
-  distance = std::min(distance, static_cast<float>(map_->map_distance(Local(centre)).most));
+  const Local<Point> centre(raster_.centre_of(at));
+  distance = std::min(distance, static_cast<float>(map_->map_distance(centre).most));
   return distance;
 }
 
 float ClearanceRaster::distance(float x, float y) noexcept {
-  const float column = (x - static_cast<float>(box_.x_min)) * per_side_ - 0.5F;
-  const float row = (y - static_cast<float>(box_.y_min)) * per_side_ - 0.5F;
+  const float column = (x - static_cast<float>(raster_.origin.x)) * per_side_ - 0.5F;
+  const float row = (y - static_cast<float>(raster_.origin.y)) * per_side_ - 0.5F;
   const bool is_inside = column >= 0.0F && row >= 0.0F &&
                          column < static_cast<float>(columns_ - 1) &&
                          row < static_cast<float>(rows_ - 1);
@@ -123,8 +106,8 @@ float ClearanceRaster::distance(float x, float y) noexcept {
   const float right = column - static_cast<float>(i);
   const float up = row - static_cast<float>(j);
   const auto along = [&](std::int32_t row_of_two) {
-    const float left = distance_of(i, row_of_two);
-    return left + right * (distance_of(i + 1, row_of_two) - left);
+    const float left = distance_of({i, row_of_two});
+    return left + right * (distance_of({i + 1, row_of_two}) - left);
   };
   const float below = along(j);
   const float above = along(j + 1);

@@ -30,7 +30,7 @@ class ClearanceRaster {
   /// Whether a pose with enough clearance is free: there are no kerbs and the body is a rectangle.
   [[nodiscard]] bool is_trusted() const noexcept { return is_trusted_; }
   /// Approximate error of the clearance [m].
-  [[nodiscard]] float fineness() const noexcept { return static_cast<float>(side_) / 4; }
+  [[nodiscard]] float fineness() const noexcept { return static_cast<float>(raster_.side) / 4; }
 
  private:
   /// Disc of the body in the vehicle's frame [m]; a corner has only the margin as radius.
@@ -39,20 +39,20 @@ class ClearanceRaster {
   };
 
   std::int64_t mark(const Point& a, const Point& b);
-  [[nodiscard]] std::int32_t column_of(double x) const noexcept;
-  [[nodiscard]] std::int32_t row_of(double y) const noexcept;
-  [[nodiscard]] float distance_of(std::int32_t column, std::int32_t row) noexcept;
+  [[nodiscard]] std::size_t index_of(const RasterCell& cell) const noexcept {
+    return static_cast<std::size_t>(cell.y * columns_ + cell.x);
+  }
+  [[nodiscard]] float distance_of(const RasterCell& cell) noexcept;
   [[nodiscard]] float distance(float x, float y) noexcept;
 
   const Surroundings* ground_;
   const CollisionChecker* map_;  // Null without a map.
-  Bounds box_;
-  double margin_;  // Margin that the body keeps [m].
-  float most_;     // Largest clearance that is given back [m].
+  double margin_;                // Margin that the body keeps [m].
+  float most_;                   // Largest clearance that is given back [m].
   /// Middle of the body ahead of the rear axle, and its largest reach from there plus margin [m].
   float middle_, reach_;
   double furthest_;  // Largest distance on the raster [m].
-  double side_;      // Side of a cell [m].
+  Raster raster_;
   float per_side_;
   std::int32_t columns_, rows_;
   std::vector<float> distances_;  // Distance from a cell's centre to the nearest obstacle [m].

@@ -39,21 +39,15 @@ FarGuide::FarGuide(const Task& task, const Bounds& box, const Options& options, 
       box_(box),
       target_{target.x, target.y},
       root_place_{root.x, root.y},
-      side_(options.side * task.vehicle.width),
-      near_(std::max(inner_radius(task.vehicle) + task.least_margin - side_ * std::sqrt(0.5),
-                     side_ / 2)),
+      raster_{{box.x_min, box.y_min}, options.side * task.vehicle.width},
+      near_(blocked_within(task, raster_.side)),
       greediness_(std::llround(options.greediness * whole)),
-      root_(cell_of({root.x, root.y})) {
+      root_(raster_.cell_of({root.x, root.y})) {
   // The vehicle stands at the root, so its cell is open.
   cost_at(root_) = unknown_cell;
-  const RasterCell to = cell_of(target_);
+  const RasterCell to = raster_.cell_of(target_);
   cost_at(to) = 0;
   open_.push({rank_of(to, 0), to});
-}
-
-RasterCell FarGuide::cell_of(const Point& point) const noexcept {
-  return {static_cast<std::int32_t>(std::floor((point.x - box_.x_min) / side_)),
-          static_cast<std::int32_t>(std::floor((point.y - box_.y_min) / side_))};
 }
 
 std::uint64_t FarGuide::tile_of(const RasterCell& cell) noexcept {
@@ -75,7 +69,8 @@ std::int32_t& FarGuide::cost_at(const RasterCell& cell) {
       tile->fill(unknown_cell);
       const RasterCell first{cell.x / tile_side * tile_side, cell.y / tile_side * tile_side};
       mark(*tile, first, site_->obstacles, near_);
-      mark(*tile, first, site_->kerbs, side_ / 2);  // The rear axle cannot get nearer to a kerb.
+      mark(*tile, first, site_->kerbs,
+           raster_.side / 2);  // The rear axle cannot get nearer to a kerb.
     }
     last_key_ = key;
     last_tile_ = tile.get();
@@ -83,51 +78,26 @@ std::int32_t& FarGuide::cost_at(const RasterCell& cell) {
   return (*last_tile_)[place_in_tile(cell)];
 }
 
-Point FarGuide::centre_of(const RasterCell& cell) const noexcept {
-  return {box_.x_min + (cell.x + 0.5) * side_, box_.y_min + (cell.y + 0.5) * side_};
-}
-
-// Closes the cells whose centre is so near to a side that no point of them is free for the disc. At
-// least the cells that the side crosses are closed.
 void FarGuide::mark(Tile& tile, const RasterCell& first, const PolygonSquares& polygons,
                     double near) const {
-  const Point low = centre_of(first);
-  const Point high = centre_of({first.x + tile_side - 1, first.y + tile_side - 1});
+  const RasterCell last{first.x + tile_side - 1, first.y + tile_side - 1};
+  const Point low = raster_.centre_of(first);
+  const Point high = raster_.centre_of(last);
   const Bounds around{low.x - near, high.x + near, low.y - near, high.y + near};
+  const auto close = [&](const RasterCell& cell, double squared) {
+    if (squared <= near * near) tile[place_in_tile(cell)] = closed_cell;
+  };
   polygons.visit_near(around, [&](const Polygon& polygon) {
     Point a = polygon.back();
     for (const Point& b : polygon) {
-      mark(tile, first, a, b, near);
+      raster_.visit_near(a, b, near, first, last, close);
       a = b;
     }
   });
 }
 
-void FarGuide::mark(Tile& tile, const RasterCell& first, const Point& a, const Point& b,
-                    double near) const {
-  const Point origin = centre_of(first);
-  // Computed in double, as the offset of an obstacle may exceed an integer.
-  const auto begin = [&](double offset) {
-    return static_cast<std::int32_t>(std::clamp(std::ceil(offset / side_), 0.0, tile_side + 0.0));
-  };
-  const auto end = [&](double offset) {
-    return static_cast<std::int32_t>(
-        std::clamp(std::floor(offset / side_) + 1, 0.0, tile_side + 0.0));
-  };
-  const std::int32_t x_begin = begin(std::min(a.x, b.x) - near - origin.x);
-  const std::int32_t x_end = end(std::max(a.x, b.x) + near - origin.x);
-  const std::int32_t y_end = end(std::max(a.y, b.y) + near - origin.y);
-  for (std::int32_t y = begin(std::min(a.y, b.y) - near - origin.y); y < y_end; ++y) {
-    for (std::int32_t x = x_begin; x < x_end; ++x) {
-      const RasterCell cell{first.x + x, first.y + y};
-      if (squared_distance(centre_of(cell), a, b) > near * near) continue;
-      tile[place_in_tile(cell)] = closed_cell;
-    }
-  }
-}
-
 bool FarGuide::is_closed(const RasterCell& cell) const {
-  const Point centre = centre_of(cell);
+  const Point centre = raster_.centre_of(cell);
   return !contains(box_, centre) || (map_ != nullptr && map_->map_is_within(Local(centre), near_));
 }
 
@@ -196,7 +166,7 @@ std::vector<Point> FarGuide::way() const {
     }
     here = best;
     cost = known_cost(here);
-    points.push_back(cost > 0 ? centre_of(here) : target_);
+    points.push_back(cost > 0 ? raster_.centre_of(here) : target_);
   }
   if (points.size() == 1) points.push_back(target_);
   return points;
@@ -205,14 +175,14 @@ std::vector<Point> FarGuide::way() const {
 double FarGuide::at(double x, double y) const noexcept {
   const double euclid = std::hypot(x - target_.x, y - target_.y);
   if (!reached_ || !contains(box_, {x, y})) return euclid;
-  const RasterCell cell = cell_of({x, y});
+  const RasterCell cell = raster_.cell_of({x, y});
   const std::int32_t known = known_cost(cell);
   if (known == closed_cell) return euclid;
   const double least =
       known == unknown_cell
           ? static_cast<double>(front_ - greediness_ * cost_between(cell, root_)) / whole
           : known;
-  return std::max(euclid, least * side_ / straight_cost);
+  return std::max(euclid, least * raster_.side / straight_cost);
 }
 
 }  // namespace vandplan::search

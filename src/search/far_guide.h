@@ -61,13 +61,10 @@ class FarGuide final : public Guide {
   static constexpr std::int32_t tile_side = 32;  // Side of a tile [cells].
   using Tile = std::array<std::int32_t, std::size_t{tile_side} * tile_side>;
 
-  [[nodiscard]] RasterCell cell_of(const Point& point) const noexcept;
-  [[nodiscard]] Point centre_of(const RasterCell& cell) const noexcept;
   [[nodiscard]] bool is_closed(const RasterCell& cell) const;
   /// Closes the cells of a tile within `near` [m] of the sides of polygons. `first` is the tile's
   /// first cell.
   void mark(Tile& tile, const RasterCell& first, const PolygonSquares& polygons, double near) const;
-  void mark(Tile& tile, const RasterCell& first, const Point& a, const Point& b, double near) const;
   [[nodiscard]] static std::uint64_t tile_of(const RasterCell& cell) noexcept;
   [[nodiscard]] static std::size_t place_in_tile(const RasterCell& cell) noexcept;
   [[nodiscard]] std::int32_t& cost_at(const RasterCell& cell);
@@ -81,7 +78,7 @@ class FarGuide final : public Guide {
   Bounds box_;
   Point target_;
   Point root_place_;
-  double side_;  // Side of a cell [m].
+  Raster raster_;
   double near_;  // Largest distance from the centre of a blocked cell to an obstacle [m].
   std::int64_t greediness_;  // Greediness in units of 1 / `whole`.
   RasterCell root_;

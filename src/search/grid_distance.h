@@ -18,6 +18,10 @@ struct ClearancePrice {
   double distance = 1.0;  ///< Clearance from which on there is no added price [m]; > 0.
 };
 
+/// Largest distance from an obstacle to the centre of a cell in which no point is free for the disc
+/// [m]. At least the cells that the obstacle's sides cross are blocked.
+[[nodiscard]] double blocked_within(const Task& task, double side);
+
 /// Distances to one target on a grid with eight neighbours: an estimate, not a bound. A* computes
 /// them from the target, so only where a search from `root` is likely to come.
 class GridDistance final : public Guide {
@@ -43,10 +47,7 @@ class GridDistance final : public Guide {
   [[nodiscard]] double length_at(double x, double y) const noexcept override;
 
  private:
-  /// Cell that contains a point of the box.
-  [[nodiscard]] RasterCell cell_of(const Point& point) const noexcept;
-  void mark_border();
-  [[nodiscard]] Point centre_of(const RasterCell& cell) const noexcept;
+  [[nodiscard]] RasterCell cell_in_box(const Point& point) const noexcept;
   [[nodiscard]] bool is_blocked_by_map(const RasterCell& cell) const;
   /// Marks the sides of more obstacles and kerbs; true when all are marked.
   bool mark();
@@ -54,9 +55,6 @@ class GridDistance final : public Guide {
   /// [m]. Returns the number of cells it looked at.
   std::int64_t mark_side(const Point& a, const Point& b, double near, double noted);
   void begin();
-  /// Index of the cell that contains a place, among `count` cells without the border; the nearest
-  /// one if the place is outside.
-  [[nodiscard]] std::int32_t inner_index(double offset, std::int32_t count) const noexcept;
   [[nodiscard]] bool is_priced() const noexcept { return price_.weight > 0.0; }
   [[nodiscard]] double price_at(const RasterCell& cell) const;
   /// Reaches a cell by a step from a cell with this cost and length.
@@ -67,7 +65,7 @@ class GridDistance final : public Guide {
   const CollisionChecker* map_;  // Null without a map.
   Bounds box_;
   Point target_;
-  double side_ = 1.0;  // Side of a cell [m].
+  Raster raster_;
   double near_ = 1.0;  // Largest distance from the centre of a blocked cell to an obstacle [m].
   std::int32_t columns_ = 0;
   std::int32_t rows_ = 0;
@@ -82,8 +80,8 @@ class GridDistance final : public Guide {
   bool is_marked_ = false;
   std::int32_t front_ = 0;  // Cost plus distance to the root of the cells settled next.
   std::int32_t last_;       // Largest value of `front_` to settle.
-  RasterCell root_;
-  bool reached_ = false;  // Whether the search reached the root.
+  RasterCell root_, to_;    // Cells of the root and the target.
+  bool reached_ = false;    // Whether the search reached the root.
 };
 
 }  // namespace vandplan::search
