@@ -4,107 +4,137 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
 namespace vandplan::search {
 namespace {
 
-constexpr double max_cells = 40000.0;
+constexpr double max_cells = 40000.0;           // Cells of a grid over all of a box.
+constexpr double max_cells_of_tiles = 1 << 30;  // Cells of a box, in tiles that may be made.
+constexpr double max_columns = 1 << 18;         // Columns or rows of a box, in the same way.
+constexpr std::size_t max_tiles = 8192;         // Tiles that are made, of 4 KB each.
 constexpr std::int32_t blocked = -1;
 constexpr std::int32_t unreached = std::numeric_limits<std::int32_t>::max();
 constexpr double max_weight = 3.0;  // Largest weight of the price; a guide needs no more.
 // Largest distance of the price [cells]; a guide needs no more.
 constexpr double max_distance = 8.0;
-constexpr std::size_t grid_buckets = 16;         // More than a step raises a rank, 7 + 7.
-constexpr std::size_t priced_grid_buckets = 64;  // More than a priced step raises a rank, 28 + 7.
-constexpr std::int64_t looks_of_step = 250'000;  // Cells beside sides that one call looks at.
-// Cells are settled on ways up to this factor longer than the shortest.
-constexpr double detour = 1.1;
+constexpr std::int64_t units_of_greed = 4;  // A greediness is a multiple of 1 / 4.
+constexpr int settled_of_step = 64;
+
+double side_for(const Bounds& box, double side, double cells) {
+  const double width = box.x_max - box.x_min;
+  const double height = box.y_max - box.y_min;
+  return std::max({side, std::sqrt(width * height / cells),
+                   std::max(width, height) / std::min(cells, max_columns)});
+}
+
+/// Index of a world's polygons. It is kept with the world, as many plans share it.
+std::shared_ptr<const SiteSquares> squares_of(const World& world) {
+  return std::static_pointer_cast<const SiteSquares>(world.kept(typeid(SiteSquares), [&] {
+    return std::make_shared<const SiteSquares>(
+        SiteSquares{PolygonSquares(world.local().obstacles), PolygonSquares(world.local().kerbs)});
+  }));
+}
 
 }  // namespace
 
-double blocked_within(const Task& task, double side) {
-  const double disc = inner_radius(task.vehicle) + task.least_margin;
-  return std::max(disc - side * std::sqrt(0.5), side / 2);
+double side_over_all(const Task& task, const Bounds& box, double side) {
+  return side_for(box, side * task.vehicle.width, max_cells);
 }
 
-double GridDistance::side_of_cells(const Task& task, const Bounds& box, double side) {
-  const double width = box.x_max - box.x_min;
-  const double height = box.y_max - box.y_min;
-  return std::max({side * task.vehicle.width, std::sqrt(width * height / max_cells),
-                   std::max(width, height) / max_cells});
+bool is_site(const Task& task, const Bounds& box) {
+  return side_over_all(task, box, 1.0) > task.vehicle.width;
 }
 
-GridDistance::GridDistance(const Task& task, const Bounds& box, double side, const Pose& target,
-                           const Pose& root, const ClearancePrice& price)
-    : ground_(&task.world->local()),
-      map_(ground_->map ? task.checker.get() : nullptr),
+GridDistance::GridDistance(const Task& task, const Bounds& box, const Pose& target,
+                           const Pose& root, const Options& options)
+    : site_(squares_of(*task.world)),
+      map_(task.world->local().map ? task.checker.get() : nullptr),
       box_(box),
       target_{target.x, target.y},
-      raster_{{box.x_min, box.y_min}, side_of_cells(task, box, side)},
-      near_(blocked_within(task, raster_.side)),
+      root_place_{root.x, root.y},
+      raster_{{box.x_min, box.y_min}, side_for(box, options.side, max_cells_of_tiles)},
+      disc_(inner_radius(task.vehicle) + task.least_margin),
+      // No point of a cell that is so near is free for the disc, or a side crosses it.
+      near_(std::max(disc_ - raster_.side * std::sqrt(0.5), raster_.side / 2)),
       columns_(static_cast<std::int32_t>((box.x_max - box.x_min) / raster_.side) + 1),
       rows_(static_cast<std::int32_t>((box.y_max - box.y_min) / raster_.side) + 1),
-      costs_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), unreached),
-      price_{std::min(price.weight, max_weight), price.distance},
-      disc_(inner_radius(task.vehicle) + task.least_margin),
-      buckets_(is_priced() ? priced_grid_buckets : grid_buckets),
-      last_(unreached),
-      root_(cell_in_box({root.x, root.y})),
-      to_(cell_in_box(target_)) {
-  if (is_priced()) {
-    price_.distance = std::min(price_.distance, max_distance * raster_.side);
-    gaps_.assign(costs_.size(), std::numeric_limits<float>::infinity());
-    lengths_.assign(costs_.size(), 0);
-  }
-}
-
-void GridDistance::begin() {
-  costs_[index_of(root_)] = unreached;
-  costs_[index_of(to_)] = unreached;
-  front_ = cost_between(to_, root_);
+      price_{std::min(options.price.weight, max_weight),
+             std::min(options.price.distance, max_distance * raster_.side)},
+      whole_(options.greediness == 1.0 ? 1 : units_of_greed),
+      greediness_(std::llround(options.greediness * static_cast<double>(whole_))),
+      detour_(options.detour),
+      root_(cell_of(root_place_)),
+      to_(cell_of(target_)),
+      tile_columns_(columns_ / tile_side + 1),
+      least_(whole_ * cost_between(to_, root_)),
+      front_(rank_of(to_, 0)),
+      greatest_(front_),
+      last_(std::numeric_limits<std::int64_t>::max()) {
+  tiles_.resize(static_cast<std::size_t>(tile_columns_) *
+                static_cast<std::size_t>(rows_ / tile_side + 1));
+  // The vehicle stands at both ends, so their cells are open.
+  tile_of(root_).costs[place_of(root_)] = unreached;
+  tile_of(to_).costs[place_of(to_)] = unreached;
   reach(to_, 0, 0, 0);
 }
 
-std::size_t GridDistance::index_of(const RasterCell& cell) const noexcept {
-  return static_cast<std::size_t>(cell.y * columns_ + cell.x);
-}
-
-// Cell that contains a point of the box, the nearest one for other points.
-RasterCell GridDistance::cell_in_box(const Point& point) const noexcept {
+RasterCell GridDistance::cell_of(const Point& point) const noexcept {
   const RasterCell cell = raster_.cell_of(point);
   return {std::clamp(cell.x, 0, columns_ - 1), std::clamp(cell.y, 0, rows_ - 1)};
 }
 
-bool GridDistance::mark() {
-  const double noted = is_priced() ? disc_ + price_.distance : 0.0;
-  const std::vector<Polygon>& obstacles = ground_->obstacles;
-  for (std::int64_t looks = 0; looks < looks_of_step;) {
-    const bool is_kerb = polygon_ >= obstacles.size();
-    const std::size_t kerb = polygon_ - obstacles.size();
-    if (is_kerb && kerb == ground_->kerbs.size()) return true;
-    const Polygon& polygon = is_kerb ? ground_->kerbs[kerb] : obstacles[polygon_];
-    const Point& a = corner_ == 0 ? polygon.back() : polygon[corner_ - 1];
-    const Point& b = polygon[corner_];
-    // The rear axle cannot get nearer to a kerb than this.
-    looks += is_kerb ? mark_side(a, b, raster_.side / 2, 0.0) : mark_side(a, b, near_, noted);
-    if (++corner_ < polygon.size()) continue;
-    corner_ = 0;
-    ++polygon_;
-  }
-  return false;
+std::size_t GridDistance::index_of_tile(const RasterCell& cell) const noexcept {
+  return static_cast<std::size_t>(cell.y / tile_side) * static_cast<std::size_t>(tile_columns_) +
+         static_cast<std::size_t>(cell.x / tile_side);
 }
 
-std::int64_t GridDistance::mark_side(const Point& a, const Point& b, double near, double noted) {
+std::size_t GridDistance::place_of(const RasterCell& cell) noexcept {
+  return static_cast<std::size_t>(cell.y % tile_side * tile_side + cell.x % tile_side);
+}
+
+GridDistance::Tile& GridDistance::tile_of(const RasterCell& cell) {
+  std::unique_ptr<Tile>& tile = tiles_[index_of_tile(cell)];
+  if (tile) return *tile;
+  tile = std::make_unique<Tile>();
+  ++made_tiles_;
+  tile->costs.fill(unreached);
+  if (is_priced()) {
+    tile->priced.assign(tile->costs.size(), {0, std::numeric_limits<float>::infinity()});
+  }
+  const RasterCell first{cell.x / tile_side * tile_side, cell.y / tile_side * tile_side};
+  mark(*tile, first, site_->obstacles, near_, is_priced() ? disc_ + price_.distance : 0.0);
+  // The rear axle cannot get nearer to a kerb than this.
+  mark(*tile, first, site_->kerbs, raster_.side / 2, 0.0);
+  return *tile;
+}
+
+void GridDistance::mark(Tile& tile, const RasterCell& first, const PolygonSquares& polygons,
+                        double near, double noted) {
   const double reach = std::max(near, noted);
-  const RasterCell last{columns_ - 1, rows_ - 1};
-  return raster_.visit_near(a, b, reach, {0, 0}, last, [&](const RasterCell& at, double squared) {
-    const std::size_t cell = index_of(at);
-    if (squared <= near * near) costs_[cell] = blocked;
+  const RasterCell last{first.x + tile_side - 1, first.y + tile_side - 1};
+  const Point low = raster_.centre_of(first);
+  const Point high = raster_.centre_of(last);
+  const auto note = [&](const RasterCell& cell, double squared) {
+    const std::size_t place = place_of(cell);
+    if (squared <= near * near) tile.costs[place] = blocked;
     if (noted == 0.0) return;
-    gaps_[cell] = std::min(gaps_[cell], static_cast<float>(std::sqrt(squared)));
-  });
+    float& gap = tile.priced[place].gap;
+    gap = std::min(gap, static_cast<float>(std::sqrt(squared)));
+  };
+  polygons.visit_near({low.x - reach, high.x + reach, low.y - reach, high.y + reach},
+                      [&](const Polygon& polygon) {
+                        Point a = polygon.back();
+                        for (const Point& b : polygon) {
+                          raster_.visit_near(a, b, reach, first, last, note);
+                          a = b;
+                        }
+                      });
+}
+
+std::int32_t GridDistance::known_cost(const RasterCell& cell) const noexcept {
+  const std::unique_ptr<Tile>& tile = tiles_[index_of_tile(cell)];
+  return tile ? tile->costs[place_of(cell)] : unreached;
 }
 
 // A map is looked up when a cell is first reached, as most cells of a large map never are.
@@ -114,21 +144,27 @@ bool GridDistance::is_blocked_by_map(const RasterCell& cell) const {
 }
 
 // Price of a metre at the cheapest place of a cell.
-double GridDistance::price_at(const RasterCell& cell) const {
-  double gap = gaps_[index_of(cell)];
+double GridDistance::price_at(const RasterCell& cell, float gap_of_sides) const {
+  double gap = gap_of_sides;
   if (map_ != nullptr) gap = std::min(gap, map_->map_distance(Local(raster_.centre_of(cell))).most);
   const double clearance = std::max(0.0, gap + raster_.side / 2 - disc_);
   return 1.0 + price_.weight * std::max(0.0, 1.0 - clearance / price_.distance);
 }
 
+std::int64_t GridDistance::rank_of(const RasterCell& cell, std::int32_t cost) const noexcept {
+  return whole_ * cost + greediness_ * cost_between(cell, root_);
+}
+
 void GridDistance::reach(const RasterCell& cell, std::int32_t cost, std::int32_t length,
                          std::int32_t step) {
   if (cell.x < 0 || cell.y < 0 || cell.x >= columns_ || cell.y >= rows_) return;
-  std::int32_t& known = costs_[index_of(cell)];
+  Tile& tile = tile_of(cell);
+  const std::size_t place = place_of(cell);
+  std::int32_t& known = tile.costs[place];
   cost += step;
   if (known <= cost) return;  // Blocked cells return here too.
   if (is_priced()) {
-    cost += static_cast<std::int32_t>(step * (price_at(cell) - 1.0));
+    cost += static_cast<std::int32_t>(step * (price_at(cell, tile.priced[place].gap) - 1.0));
     if (known <= cost) return;
   }
   if (map_ != nullptr && known == unreached && is_blocked_by_map(cell)) {
@@ -136,44 +172,51 @@ void GridDistance::reach(const RasterCell& cell, std::int32_t cost, std::int32_t
     return;
   }
   known = cost;
-  if (is_priced()) lengths_[index_of(cell)] = length + step;
-  const auto rank = static_cast<std::size_t>(cost + cost_between(cell, root_));
-  buckets_[rank % buckets_.size()].push_back(cell);
+  if (is_priced()) tile.priced[place].length = length + step;
+  const std::int64_t rank = rank_of(cell, cost);
+  const auto bucket = static_cast<std::size_t>(rank - least_);
+  if (bucket >= buckets_.size()) buckets_.resize(bucket + 1);
+  buckets_[bucket].push_back(cell);
+  // A greedy search comes back to smaller ranks.
+  greatest_ = std::max(greatest_, front_);
+  front_ = std::min(front_, rank);
+}
+
+void GridDistance::settle(const RasterCell& cell) {
+  const Tile& tile = tile_of(cell);
+  const std::int32_t cost = tile.costs[place_of(cell)];
+  const std::int32_t length = is_priced() ? tile.priced[place_of(cell)].length : cost;
+  for (const std::int32_t dy : {-1, 0, 1}) {
+    for (const std::int32_t dx : {-1, 0, 1}) {
+      const bool is_straight = dx == 0 || dy == 0;
+      reach({cell.x + dx, cell.y + dy}, cost, length, is_straight ? straight_cost : diagonal_cost);
+    }
+  }
 }
 
 // A* with a bucket for each rank.
 bool GridDistance::step() {
-  if (!is_marked_) {
-    if (!mark()) return true;
-    is_marked_ = true;
-    begin();
-  }
-  std::size_t empty = 0;
-  for (int settled = 0; settled < 64 && front_ <= last_;) {
-    std::vector<RasterCell>& bucket = buckets_[static_cast<std::size_t>(front_) % buckets_.size()];
+  for (int settled = 0; settled < settled_of_step && front_ <= last_;) {
+    if (made_tiles_ > max_tiles) return false;
+    const auto front = static_cast<std::size_t>(front_ - least_);
+    if (front >= buckets_.size()) {
+      if (reached_) front_ = last_ + 1;
+      return false;
+    }
+    std::vector<RasterCell>& bucket = buckets_[front];
     if (bucket.empty()) {
-      if (++empty == buckets_.size()) return false;
       ++front_;
       continue;
     }
-    empty = 0;
     const RasterCell cell = bucket.back();
     bucket.pop_back();
-    const std::int32_t cost = costs_[index_of(cell)];
-    if (cost + cost_between(cell, root_) != front_) continue;
-    const std::int32_t length = is_priced() ? lengths_[index_of(cell)] : cost;
+    if (rank_of(cell, known_cost(cell)) != front_) continue;  // A shorter way was found meanwhile.
     ++settled;
     if (cell == root_ && !reached_) {
       reached_ = true;
-      last_ = static_cast<std::int32_t>(detour * front_);
+      last_ = static_cast<std::int64_t>(detour_ * static_cast<double>(front_));
     }
-    for (const std::int32_t dy : {-1, 0, 1}) {
-      for (const std::int32_t dx : {-1, 0, 1}) {
-        const bool is_straight = dx == 0 || dy == 0;
-        reach({cell.x + dx, cell.y + dy}, cost, length,
-              is_straight ? straight_cost : diagonal_cost);
-      }
-    }
+    settle(cell);
   }
   return front_ <= last_;
 }
@@ -181,19 +224,51 @@ bool GridDistance::step() {
 double GridDistance::at(double x, double y) const noexcept {
   const double euclid = std::hypot(x - target_.x, y - target_.y);
   if (!contains(box_, {x, y})) return euclid;
-  const RasterCell cell = cell_in_box({x, y});
-  const std::int32_t cost = costs_[index_of(cell)];
+  const RasterCell cell = cell_of({x, y});
+  const std::int32_t cost = known_cost(cell);
   if (cost == blocked || (cost == unreached && !reached_)) return euclid;
-  const std::int32_t least = cost == unreached ? front_ - cost_between(cell, root_) : cost;
+  const double least = cost == unreached
+                           ? static_cast<double>(std::max(front_, greatest_) -
+                                                 greediness_ * cost_between(cell, root_)) /
+                                 static_cast<double>(whole_)
+                           : cost;
   return std::max(euclid, least * raster_.side / straight_cost);
 }
 
 double GridDistance::length_at(double x, double y) const noexcept {
   if (!is_priced() || !contains(box_, {x, y})) return at(x, y);
-  const std::size_t cell = index_of(cell_in_box({x, y}));
-  if (costs_[cell] == blocked || costs_[cell] == unreached) return at(x, y);
-  return std::max(std::hypot(x - target_.x, y - target_.y),
-                  lengths_[cell] * raster_.side / straight_cost);
+  const RasterCell cell = cell_of({x, y});
+  const std::int32_t cost = known_cost(cell);
+  if (cost == blocked || cost == unreached) return at(x, y);
+  const std::int32_t length = tiles_[index_of_tile(cell)]->priced[place_of(cell)].length;
+  return std::max(std::hypot(x - target_.x, y - target_.y), length * raster_.side / straight_cost);
+}
+
+// Descends the costs: each cell except the target's was reached from one that costs less.
+std::vector<Point> GridDistance::way() const {
+  std::vector<Point> points = {root_place_};
+  RasterCell here = root_;
+  for (std::int32_t cost = known_cost(here); cost > 0;) {
+    RasterCell best = here;
+    std::int32_t least = unreached;
+    for (const std::int32_t dy : {-1, 0, 1}) {
+      for (const std::int32_t dx : {-1, 0, 1}) {
+        const RasterCell next{here.x + dx, here.y + dy};
+        if (next.x < 0 || next.y < 0 || next.x >= columns_ || next.y >= rows_) continue;
+        const std::int32_t known = known_cost(next);
+        if (known == blocked || known >= cost) continue;
+        const std::int32_t through = known + (dx == 0 || dy == 0 ? straight_cost : diagonal_cost);
+        if (through >= least) continue;
+        least = through;
+        best = next;
+      }
+    }
+    here = best;
+    cost = known_cost(here);
+    points.push_back(cost > 0 ? raster_.centre_of(here) : target_);
+  }
+  if (points.size() == 1) points.push_back(target_);
+  return points;
 }
 
 }  // namespace vandplan::search

@@ -77,6 +77,12 @@ struct Raster {
           std::clamp(std::floor(offset / side), low + 0.0, high + 0.0));
     };
     reach += side * level_slack;
+    const Point low = centre_of(first);
+    const Point high = centre_of(last);
+    if (std::max(a.x, b.x) + reach < low.x || std::min(a.x, b.x) - reach > high.x ||
+        std::max(a.y, b.y) + reach < low.y || std::min(a.y, b.y) - reach > high.y) {
+      return 0;
+    }
     std::int64_t calls = 0;
     const std::int32_t y_last = index(std::max(a.y, b.y) + reach - origin.y, first.y, last.y);
     for (std::int32_t y = index(std::min(a.y, b.y) - reach - origin.y, first.y, last.y);

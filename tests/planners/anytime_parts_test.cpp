@@ -87,8 +87,8 @@ TEST(Lattice, EveryRouteIsValidAndCheaperThanTheOneBefore) {
     const Problem problem = random_problem(rng);
     const CostRule& rule = rules[rng() % 2];
     Connector connector(problem.task(), rule);
-    GridDistance guide(problem.task(), {-50, 50, -50, 50}, 1.0, problem.task().goal,
-                       problem.task().start);
+    GridDistance guide(problem.task(), {-50, 50, -50, 50}, problem.task().goal,
+                       problem.task().start, {.side = 1.0 * problem.vehicle().width});
     while (guide.step()) {
     }
     Lattice lattice(problem.task().start, problem.task().goal, {}, {12, 0.5, 2.0}, guide,
@@ -108,8 +108,8 @@ TEST(Rotation, EveryRouteIsValidAndOfInterest) {
   for_each_case(5, 40, [](Rng& rng) {
     const Problem problem = random_problem(rng);
     const CostRule rule{1.0, 2.0, 3.0, 0};
-    GridDistance guide(problem.task(), {-50, 50, -50, 50}, 1.0, problem.task().goal,
-                       problem.task().start);
+    GridDistance guide(problem.task(), {-50, 50, -50, 50}, problem.task().goal,
+                       problem.task().start, {.side = 1.0 * problem.vehicle().width});
     while (guide.step()) {
     }
     Rotation rotation(problem.task(), rule, problem.task().start, problem.task().goal, {}, guide);
@@ -128,8 +128,8 @@ TEST(Rotation, EveryRouteIsValidAndOfInterest) {
 // Where a cutoff leaves nothing every search ends, and so does the rotation.
 TEST(Rotation, EndsWhenNothingCheaperIsLeft) {
   const Problem problem = problem_of({0, 0, 0}, {30, 0, 0}, {box(14, -20, 16, 20)});
-  GridDistance guide(problem.task(), {-20, 50, -40, 40}, 0.5, problem.task().goal,
-                     problem.task().start);
+  GridDistance guide(problem.task(), {-20, 50, -40, 40}, problem.task().goal, problem.task().start,
+                     {.side = 0.5 * problem.vehicle().width});
   while (guide.step()) {
   }
   Rotation rotation(problem.task(), {1.0, 2.0, 5.0, 0}, problem.task().start, problem.task().goal,
@@ -339,8 +339,8 @@ TEST(Shortener, OnOpenGroundItFindsTheShortestPath) {
 
 TEST(GridDistance, GoesAroundAWallAndIsNearTheTruth) {
   const Problem problem = problem_of({0, 0, 0}, {30, 0, 0}, {box(14, -20, 16, 20)});
-  GridDistance guide(problem.task(), {-20, 50, -40, 40}, 0.5, problem.task().goal,
-                     problem.task().start);
+  GridDistance guide(problem.task(), {-20, 50, -40, 40}, problem.task().goal, problem.task().start,
+                     {.side = 0.5 * problem.vehicle().width});
   while (guide.step()) {
   }
   EXPECT_NEAR(guide.at(0, 0), 2 * std::hypot(14, 20) + 2, 0.12 * 50);
@@ -375,7 +375,8 @@ TEST(GridDistance, MindsNotInHowManySidesAnOutlineIsGiven) {
     const double weight = rng() % 2 == 0 ? 0.0 : 2.0;
     const auto guide_among = [&](const std::vector<Polygon>& obstacles) {
       const Problem problem = problem_of(start, goal, obstacles);
-      GridDistance guide(problem.task(), {-40, 40, -40, 40}, 0.25, goal, start, {weight, 1.0});
+      GridDistance guide(problem.task(), {-40, 40, -40, 40}, goal, start,
+                         {.side = 0.25 * problem.vehicle().width, .price = {weight, 1.0}});
       while (guide.step()) {
       }
       return guide;
@@ -391,32 +392,13 @@ TEST(GridDistance, MindsNotInHowManySidesAnOutlineIsGiven) {
   });
 }
 
-// A step is short, so that a budget of time is kept: a star of so many sides takes many.
-TEST(GridDistance, MarksAFewSidesAtATime) {
-  const auto steps_beside_a_star = [](int corners) {
-    Polygon star;
-    for (int i = 0; i < corners; ++i) {
-      const double angle = 2 * pi * i / corners;
-      const double radius = i % 2 == 0 ? 1 : 20;
-      star.push_back({radius * std::cos(angle), 50 + radius * std::sin(angle)});
-    }
-    const Problem problem = problem_of({0, 0, 0}, {30, 0, 0}, {star}, {-80, 80, -80, 80});
-    GridDistance guide(problem.task(), {-80, 80, -80, 80}, 0.25, problem.task().goal,
-                       problem.task().start);
-    int steps = 0;
-    while (guide.step()) ++steps;
-    return steps;
-  };
-  EXPECT_GT(steps_beside_a_star(20'000), steps_beside_a_star(200) + 5);
-}
-
 // Between two walls as far apart as the vehicle is wide, or around them in the open.
 TEST(GridDistance, WithAPriceItKeepsAwayFromWalls) {
   const Problem problem =
       problem_of({0, 0, 0}, {30, 0, 0}, {box(5, -3, 25, -1.35), box(5, 1.35, 25, 3)});
   const auto guide_with = [&](double weight, const Pose& root) {
-    GridDistance guide(problem.task(), {-20, 50, -40, 40}, 0.5, problem.task().goal, root,
-                       {weight, 1.0});
+    GridDistance guide(problem.task(), {-20, 50, -40, 40}, problem.task().goal, root,
+                       {.side = 0.5 * problem.vehicle().width, .price = {weight, 1.0}});
     while (guide.step()) {
     }
     return guide;

@@ -18,7 +18,6 @@
 #include "planners/anytime/lattice.h"
 #include "planners/anytime/shorten.h"
 #include "planners/anytime/strung.h"
-#include "search/far_guide.h"
 #include "search/grid_distance.h"
 #include "search/polygon_squares.h"
 #include "vandplan/judge.h"
@@ -34,7 +33,6 @@ using anytime::Shortener;
 using anytime::Strung;
 using search::Connector;
 using search::CostRule;
-using search::FarGuide;
 using search::GridDistance;
 using search::PolygonSquares;
 using search::Route;
@@ -92,15 +90,21 @@ Problem site(double side, std::uint64_t seed, double area = 900) {
 
 Bounds all_of(const Problem& problem) { return sampling_region(problem.task(), Region::scene); }
 
-// The grid over all of it is the oracle, as long as it is small.
-TEST(FarGuide, WithoutGreedIsAsFarAsTheGridOverAllOfIt) {
+/// A guide for a whole site.
+GridDistance guide_in(const Problem& problem, const Bounds& box, double greediness) {
+  return GridDistance(problem.task(), box, problem.task().goal, problem.task().start,
+                      {.side = problem.vehicle().width, .greediness = greediness, .detour = 1.0});
+}
+
+TEST(GridDistance, OfASiteIsAsFarAsOneThatGoesOn) {
   for_each_case(2, 20, [](Rng& rng) {
     const Problem problem = site(200, rng());
     const Pose& start = problem.task().start;
     const Pose& goal = problem.task().goal;
-    GridDistance grid(problem.task(), all_of(problem), 1.0, goal, start);
-    FarGuide exact(problem.task(), all_of(problem), {1.0, 1.0}, goal, start);
-    FarGuide greedy(problem.task(), all_of(problem), {1.0, 1.25}, goal, start);
+    GridDistance grid(problem.task(), all_of(problem), goal, start,
+                      {.side = problem.vehicle().width, .detour = 1.5});
+    GridDistance exact = guide_in(problem, all_of(problem), 1.0);
+    GridDistance greedy = guide_in(problem, all_of(problem), 1.25);
     while (grid.step()) {
     }
     while (exact.step()) {
@@ -118,7 +122,7 @@ TEST(FarGuide, WithoutGreedIsAsFarAsTheGridOverAllOfIt) {
   });
 }
 
-TEST(FarGuide, GoesAroundTheCellsOfAMapAndAroundKerbs) {
+TEST(GridDistance, GoesAroundTheCellsOfAMapAndAroundKerbs) {
   OccupancyGrid map = grid_of(std::vector<std::string>(60, "..#.."), 0.5, {19, -15, 0});
   map.unknown_is_free = true;
   const Polygon wall = box(20, -15, 20.5, 15);
@@ -128,7 +132,7 @@ TEST(FarGuide, GoesAroundTheCellsOfAMapAndAroundKerbs) {
                                   {.bounds = bounds, .obstacles = {wall}}};
   for (const Surroundings& ground : grounds) {
     const Problem problem = problem_in(ground, {0, 0, 0}, {40, 0, 0});
-    FarGuide guide(problem.task(), bounds, {1.0, 1.0}, problem.task().goal, problem.task().start);
+    GridDistance guide = guide_in(problem, bounds, 1.0);
     while (guide.step()) {
     }
     EXPECT_TRUE(guide.is_connected());
@@ -136,25 +140,23 @@ TEST(FarGuide, GoesAroundTheCellsOfAMapAndAroundKerbs) {
   }
 }
 
-TEST(FarGuide, SaysWhereNoWayIs) {
+TEST(GridDistance, SaysWhereNoWayIs) {
   const Problem problem = problem_of({0, 0, 0}, {40, 0, 0}, {box(20, -300, 21, 300)});
-  FarGuide guide(problem.task(), {-30, 70, -40, 40}, {1.0, 1.25}, problem.task().goal,
-                 problem.task().start);
+  GridDistance guide = guide_in(problem, {-30, 70, -40, 40}, 1.25);
   while (guide.step()) {
   }
   EXPECT_FALSE(guide.is_connected());
   EXPECT_NEAR(guide.at(0, 0), 40.0, 1e-9);
 }
 
-TEST(FarGuide, IsWantedWhereOneGridWouldBeTooCoarse) {
+TEST(GridDistance, SeesASiteWhereOneGridWouldBeTooCoarse) {
   const Problem problem = site(600, 1);
-  EXPECT_TRUE(FarGuide::is_wanted(problem.task(), {0, 600, 0, 600}));
-  EXPECT_FALSE(FarGuide::is_wanted(problem.task(), {0, 400, 0, 400}));
+  EXPECT_TRUE(search::is_site(problem.task(), {0, 600, 0, 600}));
+  EXPECT_FALSE(search::is_site(problem.task(), {0, 400, 0, 400}));
 }
 
 std::vector<Point> way_of(const Problem& problem) {
-  FarGuide guide(problem.task(), all_of(problem), {1.0, 1.25}, problem.task().goal,
-                 problem.task().start);
+  GridDistance guide = guide_in(problem, all_of(problem), 1.25);
   while (guide.step()) {
   }
   return guide.way();
@@ -168,12 +170,11 @@ double length_of(const std::vector<Point>& way) {
   return sum;
 }
 
-TEST(FarGuide, ItsWayIsAsLongAsItSays) {
+TEST(GridDistance, ItsWayIsAsLongAsItSays) {
   for_each_case(6, 10, [](Rng& rng) {
     const Problem problem = site(600, rng());
     const double side = problem.vehicle().width;
-    FarGuide guide(problem.task(), all_of(problem), {1.0, 1.0}, problem.task().goal,
-                   problem.task().start);
+    GridDistance guide = guide_in(problem, all_of(problem), 1.0);
     while (guide.step()) {
     }
     const std::vector<Point> way = guide.way();
@@ -226,8 +227,7 @@ TEST(Strung, GivesUpWhereNobodyGetsThrough) {
 
 // A raw route of more legs than windows have, as a lattice finds it.
 std::optional<Route> long_route(const Problem& problem, Connector& connector) {
-  FarGuide guide(problem.task(), all_of(problem), {1.0, 1.25}, problem.task().goal,
-                 problem.task().start);
+  GridDistance guide = guide_in(problem, all_of(problem), 1.25);
   while (guide.step()) {
   }
   Lattice lattice(problem.task().start, problem.task().goal, {}, {12, 0.5, 2.0}, guide, connector);

@@ -138,7 +138,7 @@ struct Fields {
       : task(problem.task()),
         forth(task, rule),
         back(task, reversed(rule, 0)),
-        guide(task, area, 0.5, task.start, task.goal),
+        guide(task, area, task.start, task.goal, {.side = 0.5 * task.vehicle.width}),
         room(finished(ClearanceRaster(task, area, 3.0))),
         from_goal(back, room, area, options, task.goal, 0, most),
         from_start(forth, room, area, options, task.start, 0, most) {

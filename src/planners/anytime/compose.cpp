@@ -23,7 +23,7 @@
 #include "planners/anytime/survey.h"
 #include "planners/rig/compose_rig.h"
 #include "planners/shared_options.h"
-#include "search/far_guide.h"
+#include "search/grid_distance.h"
 
 namespace vandplan::anytime {
 namespace {
@@ -130,7 +130,7 @@ Composer::Composer(const Task& task, const PlanOptions& options, double time_pri
       pricing_(std::make_unique<planning::Pricing>(task, options.cost, time_price)),
       rule_(pricing_->rule()),
       region_(sampling_region(task, planning::region_of(options))),
-      is_far_(FarGuide::is_wanted(task, sampling_region(task, Region::scene))),
+      is_far_(search::is_site(task, sampling_region(task, Region::scene))),
       scope_(is_far_ ? Scope::windows : Scope::all),
       bends_((!rule_.is_length() || is_continuous()) && !pricing_->counts_time() && !is_far_),
       has_gap_(options.budget.target_gap.has_value()),

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "planners/shared_options.h"
-#include "search/far_guide.h"
 #include "search/wheels.h"
 
 namespace vandplan::anytime {
@@ -105,7 +104,8 @@ void Detours::begin() {
 
 void Detours::make_guide(const LocalPose& root, const LocalPose& target) {
   const Bounds box = ellipse_box(root, target, detour_slack * old_.cost, scene_);
-  guide_ = std::make_unique<FarGuide>(task_, box, FarGuide::Options{guide_side, 1.0}, target, root);
+  guide_.emplace(task_, box, target, root,
+                 GridDistance::Options{.side = guide_side * task_.vehicle.width, .detour = 1.0});
   guided_ = false;
 }
 

@@ -13,7 +13,7 @@
 #include "planners/anytime/lattice.h"
 #include "planners/anytime/shorten.h"
 #include "planners/anytime/source.h"
-#include "search/guide.h"
+#include "search/grid_distance.h"
 #include "search/route.h"
 #include "vandplan/random.h"
 
@@ -57,7 +57,7 @@ class Detours final : public Source {
   bool backwards_ = false;  // whether the search begins at the end of the stretch
   DrivenBeside beside_;     // gears beside the stretch, in the direction of the search
   std::optional<Connector> connector_;
-  std::unique_ptr<Guide> guide_;
+  std::optional<GridDistance> guide_;
   bool guided_ = false;  // whether the guide is complete
   LatticeOptions options_;
   std::optional<Lattice> lattice_;

@@ -7,7 +7,6 @@
 #include <limits>
 #include <utility>
 
-#include "search/far_guide.h"
 #include "search/grid_distance.h"
 #include "search/wheels.h"
 
@@ -35,12 +34,12 @@ constexpr double far_shot = 40.0;  // cost-to-go beyond which exact paths are ra
 /// Search over a whole site, with its guide.
 struct FarSearch {
   LatticeOptions lattice;
-  FarGuide::Options guide;
+  double greediness;  ///< of its guide, whose cells are as wide as the vehicle
 };
 /// The first search over a whole site is greedy. The others follow a shortest way of the grid.
-constexpr std::array far_searches = {FarSearch{{12, 0.5, 2.0, false, far_shot}, {1.0, 1.25}},
-                                     FarSearch{{12, 0.5, 2.0, false, far_shot}, {1.0, 1.0}},
-                                     FarSearch{{24, 0.25, 1.5, false, far_shot}, {1.0, 1.0}}};
+constexpr std::array far_searches = {FarSearch{{12, 0.5, 2.0, false, far_shot}, 1.25},
+                                     FarSearch{{12, 0.5, 2.0, false, far_shot}, 1.0},
+                                     FarSearch{{24, 0.25, 1.5, false, far_shot}, 1.0}};
 constexpr double slack = 1.05;  // a route may cost so many times the best: shortening helps
 constexpr std::array far_shares = {1.0, 0.4};  // shares of far samples, for attempts in turns
 constexpr std::int64_t first_patience = 256;   // samples of the first attempt
@@ -80,12 +79,16 @@ void Ladder::next_guide() {
   lattice_.reset();
   guide_level_ = level_;
   if (goes_far()) {
-    guide_ = std::make_unique<FarGuide>(task_, scene_, far_searches[level_].guide, to_, from_);
+    guide_.emplace(task_, scene_, to_, from_,
+                   GridDistance::Options{.side = task_.vehicle.width,
+                                         .greediness = far_searches[level_].greediness,
+                                         .detour = 1.0});
   } else {
     // Without a price of clearance a first route is found sooner.
     const double weight = is_known() ? rule_.clearance_weight : 0.0;
-    guide_ = std::make_unique<GridDistance>(task_, scene_, guide_side_, to_, from_,
-                                            ClearancePrice{weight, rule_.clearance_distance});
+    guide_.emplace(task_, scene_, to_, from_,
+                   GridDistance::Options{.side = side_over_all(task_, scene_, guide_side_),
+                                         .price = {weight, rule_.clearance_distance}});
   }
   guide_side_ /= 2;
   guided_ = false;
@@ -111,7 +114,7 @@ void Ladder::next_search() {
   lattice_.emplace(from_, to_, driven_beside_route(connector.rule()), options, *guide_, connector);
   const bool is_new_guide = guide_level_ == level_;
   if (goes_far() && is_new_guide && guide_->is_connected()) {
-    std::vector<Point> way = static_cast<const FarGuide&>(*guide_).way();
+    std::vector<Point> way = guide_->way();
     if (root_ == Root::goal) std::reverse(way.begin(), way.end());
     strung_.emplace(task_, std::move(way), *by_gears_);
   }
@@ -164,7 +167,7 @@ bool Ladder::goes_far() const { return is_far_ && level_ < far_searches.size(); 
 // Whether the next search has another guide: a finer one after the first search, or over a whole
 // site one with other options.
 bool Ladder::needs_next_guide() const {
-  if (goes_far()) return far_searches[level_].guide != far_searches[guide_level_].guide;
+  if (goes_far()) return far_searches[level_].greediness != far_searches[guide_level_].greediness;
   return level_ == 1 && guide_side_ > fine_guide_side / 2;
 }
 

@@ -13,7 +13,7 @@
 #include "planners/anytime/source.h"
 #include "planners/anytime/strung.h"
 #include "planners/anytime/trees.h"
-#include "search/guide.h"
+#include "search/grid_distance.h"
 #include "search/route.h"
 
 namespace vandplan::anytime {
@@ -64,7 +64,7 @@ class Ladder final : public Source {
   Connector by_price_;
   /// Steers along a way over a whole site.
   std::optional<Connector> by_gears_;
-  std::unique_ptr<Guide> guide_;
+  std::optional<GridDistance> guide_;
   double guide_side_;    // side of the next guide's cells [vehicle widths]
   bool guided_ = false;  // whether the guide is complete
   bool finished_ = false;

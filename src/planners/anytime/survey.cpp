@@ -60,9 +60,11 @@ Survey::Survey(const Task& task, const CostRule& rule)
 bool Survey::prepare() {
   if (!guide_) {
     const CostRule& rule = forth_.rule();
+    const Bounds scene = sampling_region(task_, Region::scene);
     guide_ = std::make_unique<GridDistance>(
-        task_, sampling_region(task_, Region::scene), survey_guide_side, task_.start, task_.goal,
-        ClearancePrice{rule.clearance_weight, rule.clearance_distance});
+        task_, scene, task_.start, task_.goal,
+        GridDistance::Options{.side = side_over_all(task_, scene, survey_guide_side),
+                              .price = {rule.clearance_weight, rule.clearance_distance}});
     raster_ = std::make_unique<ClearanceRaster>(
         task_, box_, std::max(rule.clearance_distance, room_of_step * forth_.radius()));
     return false;

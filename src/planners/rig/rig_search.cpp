@@ -78,6 +78,9 @@ double turning_radius(const Vehicle& vehicle) {
                   (vehicle.trailer->wheelbase - vehicle.hitch * cos) / sin);
 }
 
+/// Side of the cells of both guides [m].
+double side_of_guides(const Task& task) { return search::side_over_all(task, around(task), 0.5); }
+
 double search_unit(const Vehicle& vehicle) {
   return 0.3 * std::sqrt(turning_radius(vehicle) * vehicle.trailer->wheelbase);
 }
@@ -88,8 +91,8 @@ Primitive::Primitive(const Vehicle& vehicle, const Command& of) noexcept
       hitch({.hitch = vehicle.hitch, .wheelbase = vehicle.trailer->wheelbase}, of.at_once()) {}
 
 Guides::Guides(const Task& task)
-    : to_goal(task, around(task), 0.5, task.goal, task.start),
-      to_start(task, around(task), 0.5, task.start, task.goal) {
+    : to_goal(task, around(task), task.goal, task.start, {.side = side_of_guides(task)}),
+      to_start(task, around(task), task.start, task.goal, {.side = side_of_guides(task)}) {
   while (to_goal.step()) {
   }
   while (to_start.step()) {
