@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "search/goal_field.h"
+#include "lab/goal_field.h"
 
 #include <algorithm>
 #include <array>
@@ -14,12 +14,12 @@
 namespace vandplan::search {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double fineness = 3.0;        // Cells along a radius of the disc.
-constexpr double max_cells = 4e6;       // Cells of a lattice, at most.
-constexpr double rounding_near = 1e-6;  // Slack of distances to obstacles [m].
-constexpr double rounding = 1e-9;       // Relative rounding error of sums of steps.
-constexpr int work_of_call = 16384;     // Corners settled by one call.
+constexpr double no_way = std::numeric_limits<double>::infinity();
+constexpr double fineness = 3.0;           // Cells along a radius of the disc.
+constexpr double max_cells = 4e6;          // Cells of a lattice, at most.
+constexpr double rounding_near = 1e-6;     // Slack of distances to obstacles [m].
+constexpr double rounding_of_sums = 1e-9;  // Relative rounding error of sums of steps.
+constexpr int work_of_call = 16384;        // Corners settled by one call.
 constexpr int sight_lag = 5;     // Delay of border entries [cells]; no step raises a rank as much.
 constexpr double buckets = 4.0;  // Buckets for a cell of rank.
 constexpr int border_headings = 64;  // Headings tried at a corner on the border of sight.
@@ -45,7 +45,7 @@ double open_way(bool of_eight, double x, double y) {
 GoalField::GoalField(const Task& task, FieldKind kind)
     : task_(task),
       kind_(kind),
-      too_long_(kind == FieldKind::grid ? 1.0 : excess_of(std::atan(0.5)) * (1 + rounding)),
+      too_long_(kind == FieldKind::grid ? 1.0 : excess_of(std::atan(0.5)) * (1 + rounding_of_sums)),
       disc_(bound_disc(task.vehicle)),
       stretch_(stretch_of(disc_, task.vehicle.min_turning_radius)) {
   const Bounds& bounds = task.world->local().bounds;
@@ -93,7 +93,7 @@ GoalField::Label& GoalField::label(const Corner& corner) {
   Block& block = blocks_[static_cast<std::size_t>(corner.y) * blocks_of_row_ + x / block_size];
   if (!block) {
     block = std::make_unique<std::array<Label, block_size>>();
-    block->fill({infinity, false});
+    block->fill({no_way, false});
   }
   return (*block)[x % block_size];
 }
@@ -139,7 +139,7 @@ void GoalField::reach(const Entry& from, const Corner& to, double step) {
   const double cost = from.cost + step;
   if (cost >= there.cost) return;
   if (kind_ == FieldKind::choi && !from.is_border && label(from.corner).is_seen) {
-    if (cost > on_open_ground(to) * (1 + rounding)) return;
+    if (cost > on_open_ground(to) * (1 + rounding_of_sums)) return;
     there = {cost, true};
   } else {
     if (there.is_seen) return;
@@ -226,7 +226,7 @@ double GoalField::around(const Pose& pose, const Point& place) {
                                Corner{cell.x + 1, cell.y + 1}}) {
     longest = std::max(longest, of_corner(corner, place, work));
   }
-  return longest * side_ / stretch_ * (1 - rounding);
+  return longest * side_ / stretch_ * (1 - rounding_of_sums);
 }
 
 double GoalField::at(const Pose& pose) {

@@ -168,11 +168,11 @@ std::vector<Ends> Chooser::chosen() {
   while (is_first_octant(static_cast<std::int32_t>(octant))) ++octant;
   known_.assign(octant * side * side * directions_.size(), std::numeric_limits<double>::infinity());
   for (std::int32_t from = 0; is_first_octant(from); ++from) known(from, 0, 0, from) = 0.0;
-  constexpr double rounding = 1e-9;
+  constexpr double rounding_of_ways = 1e-9;
   for (const Ends& ends : candidates()) {
     double& way = known(ends.from, ends.dx, ends.dy, ends.to);
     way = by_shorter_ones(ends);
-    if (way <= detour_ * ends.length + rounding) continue;
+    if (way <= detour_ * ends.length + rounding_of_ways) continue;
     way = ends.length;
     keep_images(ends);
   }

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/nearest_word.h"
-#include "search/goal_field.h"
+#include "lab/goal_field.h"
 #include "vandplan/input_error.h"
 #include "vandplan/steering.h"
 #include "vandplan/tables.h"
@@ -67,7 +67,7 @@ struct Known {
   GoalEstimate (*make)(const Task&, const HeuristicTable*);
 };
 
-constexpr std::array known = {
+constexpr std::array known_estimates = {
     Known{"euclid", euclid},
     Known{"hlut-1", of_thesis<1>},
     Known{"hlut-2", of_thesis<2>},
@@ -82,8 +82,8 @@ constexpr std::array known = {
 };
 
 constexpr auto names = [] {
-  std::array<std::string_view, known.size()> all;
-  std::ranges::transform(known, all.begin(), &Known::name);
+  std::array<std::string_view, known_estimates.size()> all;
+  std::ranges::transform(known_estimates, all.begin(), &Known::name);
   return all;
 }();
 
@@ -97,8 +97,8 @@ GoalEstimate make_goal_estimate(std::string_view name, const Task& task) {
 
 GoalEstimate make_goal_estimate(std::string_view name, const Task& task,
                                 const HeuristicTable* table) {
-  const auto found = std::ranges::find(known, name, &Known::name);
-  if (found == known.end()) {
+  const auto found = std::ranges::find(known_estimates, name, &Known::name);
+  if (found == known_estimates.end()) {
     throw InputError("estimate", "\"" + std::string(name) + "\" is unknown, " +
                                      base::expected_one_of(name, names));
   }
