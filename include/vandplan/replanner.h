@@ -31,6 +31,10 @@
 
 namespace vandplan {
 
+namespace replanning {
+class KnownGround;
+}
+
 /// A rectangle of cells of the map with new contents.
 struct CellPatch {
   std::int32_t column = 0;       ///< column of the first cell
@@ -58,6 +62,32 @@ struct WorldPatch {
   [[nodiscard]] bool is_empty() const noexcept {
     return cells.empty() && added.empty() && removed.empty();
   }
+};
+
+/// A world that patches change. It is equal to a world of the changed surroundings, but what was
+/// made of the rest of a large map is kept.
+///
+///   ChangingWorld ground(surroundings(scenario), {scenario.start.x, scenario.start.y});
+///   ground.patch({.cells = {window}});
+///   plan(make_problem(ground.world(), vehicle, start, goal));
+class ChangingWorld {
+ public:
+  /// Makes the world of `surroundings` and `near`, as `World` does. Throws InputError as `World`.
+  ChangingWorld(const Surroundings& surroundings, const Point& near);
+  ~ChangingWorld();
+  ChangingWorld(ChangingWorld&&) noexcept;
+  ChangingWorld& operator=(ChangingWorld&&) noexcept;
+
+  /// Changes the world in place, with outlines in the scenario's frame. Problems and checkers that
+  /// were made in it before must not be used any more. Throws InputError as `Replanner::patch`; the
+  /// world then stays as it was.
+  void patch(const WorldPatch& patch);
+
+  /// The world as it is now. Every call gives the one object that patches change.
+  [[nodiscard]] std::shared_ptr<const World> world() const noexcept;
+
+ private:
+  std::unique_ptr<replanning::KnownGround> ground_;
 };
 
 /// Options of replanning.

@@ -53,26 +53,36 @@ std::optional<CellRange> written(const CellPatch& patch, std::int32_t columns,
   return CellRange{patch.column + left, patch.row + low, right - left + 1, high - low + 1};
 }
 
-}  // namespace
-
-KnownGround::KnownGround(const World& world) : origin_(world.origin()) {
+/// Surroundings of which another world can be made, in the frame of a world.
+Surroundings copied_ground(const World& world) {
   Surroundings ground = world.without_fences();
   for (std::vector<Polygon>* polygons : {&ground.obstacles, &ground.kerbs}) {
     for (Polygon& polygon : *polygons) pad(polygon);
   }
+  return ground;
+}
+
+}  // namespace
+
+KnownGround::KnownGround(const World& world) : KnownGround(copied_ground(world), Point{}) {
+  origin_ = world.origin();
+}
+
+KnownGround::KnownGround(Surroundings ground, const Point& near) {
+  if (ground.map && ground.map->cells) {
+    cells_ = std::make_shared<std::vector<Cell>>(*ground.map->cells);
+    ground.map->cells = cells_;
+  }
+  world_ = std::make_shared<World>(ground, near);
+  origin_ = world_->origin();
   // Fences come first. Their names count up from the least integer, so they do not clash with
   // others.
-  for (std::size_t i = 0; i < world.fences(); ++i) {
+  for (std::size_t i = 0; i < world_->fences(); ++i) {
     names_.push_back(std::numeric_limits<std::int64_t>::min() + static_cast<std::int64_t>(i));
   }
   for (std::size_t i = 0; i < ground.obstacles.size(); ++i) {
     names_.push_back(static_cast<std::int64_t>(i));
   }
-  if (ground.map) {
-    cells_ = std::make_shared<std::vector<Cell>>(*ground.map->cells);
-    ground.map->cells = cells_;
-  }
-  world_ = std::make_shared<World>(ground, Point{});
 }
 
 void KnownGround::patch(const WorldPatch& patch) {
@@ -120,3 +130,18 @@ void KnownGround::patch(const WorldPatch& patch) {
 }
 
 }  // namespace vandplan::replanning
+
+namespace vandplan {
+
+ChangingWorld::ChangingWorld(const Surroundings& surroundings, const Point& near)
+    : ground_(std::make_unique<replanning::KnownGround>(surroundings, near)) {}
+
+ChangingWorld::~ChangingWorld() = default;
+ChangingWorld::ChangingWorld(ChangingWorld&&) noexcept = default;
+ChangingWorld& ChangingWorld::operator=(ChangingWorld&&) noexcept = default;
+
+void ChangingWorld::patch(const WorldPatch& patch) { ground_->patch(patch); }
+
+std::shared_ptr<const World> ChangingWorld::world() const noexcept { return ground_->world(); }
+
+}  // namespace vandplan

@@ -15,8 +15,11 @@ namespace vandplan::replanning {
 /// Ground of a world, in the frame of the world, which patches change.
 class KnownGround {
  public:
-  /// `world` is the ground before all patches; it is copied, not changed.
+  /// `world` is the ground before all patches; it is copied, not changed. The origin of the copy's
+  /// frame is 0: its frame is that of `world`.
   explicit KnownGround(const World& world);
+  /// Ground in the scenario's frame before all patches; its world is as `World` makes it of both.
+  KnownGround(Surroundings ground, const Point& near);
 
   /// Applies a patch. Throws InputError naming the part of `patch` that is wrong, without any
   /// change.
@@ -24,7 +27,7 @@ class KnownGround {
 
   /// Current world. Patches change it in place, so checkers of it must not be used after a patch.
   [[nodiscard]] std::shared_ptr<const World> world() const noexcept { return world_; }
-  /// Origin of the world's frame, in the scenario's frame, which patches use [m].
+  /// Origin of the ground's frame, in the scenario's frame, which patches use [m].
   [[nodiscard]] const Point& origin() const noexcept { return origin_; }
   /// Number of patches that changed something.
   [[nodiscard]] std::int64_t version() const noexcept { return version_; }

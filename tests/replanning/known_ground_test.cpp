@@ -149,5 +149,72 @@ TEST(KnownGround, StaysAsItIsWhereAPatchIsWrong) {
   EXPECT_EQ(ground.version(), 0);
 }
 
+/// The same, a hundred kilometres away.
+Scenario moved_away(Scenario scenario) {
+  constexpr double x = 1e5, y = -1e5;
+  scenario.bounds = {x, x + 40, y, y + 24};
+  for (Pose* const pose : {&scenario.start, &scenario.goal, &scenario.map->origin}) {
+    pose->x += x;
+    pose->y += y;
+  }
+  for (Polygon& polygon : scenario.obstacles) {
+    for (Point& corner : polygon) corner = {corner.x + x, corner.y + y};
+  }
+  return scenario;
+}
+
+TEST(ChangingWorld, IsTheWorldOfTheChangedSurroundings) {
+  for_each_case(2, 20, [&](Rng& rng) {
+    Scenario scenario = moved_away(mapped_lane(rng));
+    const Point near{scenario.start.x, scenario.start.y};
+    ChangingWorld ground(surroundings(scenario), near);
+    const auto world = ground.world();
+    for (int i = 0; i < 4; ++i) {
+      (void)planned(ground.world(), scenario);
+      WorldPatch patch;
+      patch.cells.push_back(any_patch(*scenario.map, rng));
+      write(scenario, patch.cells.back());
+      if (i == 2) {
+        scenario.obstacles.push_back(
+            {{1e5 + 9, -1e5 + 5}, {1e5 + 9, -1e5 + 8}, {1e5 + 8, -1e5 + 5}});
+        patch.added = {{1, scenario.obstacles.back()}};
+      }
+      ground.patch(patch);
+      ASSERT_EQ(ground.world(), world) << "in place";
+      const auto anew = std::make_shared<const World>(surroundings(scenario), near);
+      ASSERT_EQ(ground.world()->origin(), anew->origin());
+      expect_same_ground(*ground.world(), *anew, scenario.vehicle, rng);
+      const auto [result, check] = planned(ground.world(), scenario);
+      const auto [expected, judged] = planned(anew, scenario);
+      ASSERT_EQ(result.path, expected.path);
+      ASSERT_EQ(check.clearance, judged.clearance);
+    }
+  });
+}
+
+TEST(ChangingWorld, LeavesTheCellsThatItWasGiven) {
+  Rng rng(1);
+  const Scenario scenario = mapped_lane(rng);
+  const std::vector<Cell> before = *scenario.map->cells;
+  ChangingWorld ground(surroundings(scenario), {});
+  ground.patch({.cells = {{0, 0, 30, 30, std::vector<Cell>(900, Cell::occupied)}}});
+  EXPECT_EQ(*scenario.map->cells, before);
+  ChangingWorld other = std::move(ground);
+  EXPECT_NE(*other.world()->local().map->cells, before);
+  EXPECT_THROW(other.patch({.cells = {{0, 0, 1, 1, {}}}}), InputError);
+}
+
+TEST(ChangingWorld, WrongSurroundingsAreRefused) {
+  Rng rng(1);
+  Scenario scenario = mapped_lane(rng);
+  scenario.map->cells = {};
+  EXPECT_THROW(ChangingWorld(surroundings(scenario), {}), InputError);
+  scenario.map.reset();
+  ChangingWorld without_map(surroundings(scenario), {});
+  EXPECT_THROW(without_map.patch({.cells = {{0, 0, 1, 1, {Cell::free}}}}), InputError);
+  without_map.patch({.removed = {0}});
+  EXPECT_TRUE(without_map.world()->local().obstacles.empty());
+}
+
 }  // namespace
 }  // namespace vandplan
