@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Is the vehicle free of obstacles, and its rear axle inside the bounds?
+// Is the vehicle free of obstacles, its rear axle inside the bounds, and no rule of a zone broken?
 //
 // Checks along an edge are exact, without a step size. docs/algorithms/collision.md says how, and
 // why no hit is ever missed.
 
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "vandplan/geometry.h"
@@ -22,7 +25,30 @@ namespace collision {
 struct Ground;
 }
 
-/// Bounds, obstacles, kerbs and map, all in one frame.
+/// Ground with rules of its own. They hold while the midpoint of the rear axle is in the area,
+/// whose edge is included.
+struct Zone {
+  std::string name = {};                    ///< name for people; need not be unique
+  Polygon area = {};                        ///< simple polygon [m]
+  bool closed = false;                      ///< whether the vehicle may not be there at all
+  AllowedGears gears = AllowedGears::both;  ///< gears that may be driven there
+  /// Directions of travel that are allowed: headings of the vehicle, turned by half a turn in
+  /// reverse. None: any direction.
+  std::optional<HeadingRange> direction = {};
+  /// Whether the rules hold while any part of the vehicle or its trailer is in the area.
+  bool body = false;
+  bool operator==(const Zone&) const = default;
+};
+
+/// A further map, as Nav2 has for its costmap filters. Its occupied cells are obstacles. Unknown
+/// cells and the ground outside say nothing.
+struct Mask {
+  std::string map_file = {};  ///< file of the map
+  OccupancyGrid map = {};     ///< the map; `unknown_is_free` is ignored
+  std::size_t blocks = 0;     ///< number of obstacles that stand for it; a world sets it
+};
+
+/// Bounds, obstacles, kerbs, map and zones, all in one frame.
 struct Surroundings {
   Bounds bounds = {};                   ///< where the midpoint of the rear axle may be [m]
   std::vector<Polygon> obstacles = {};  ///< outlines that the footprint may not touch [m]
@@ -32,6 +58,16 @@ struct Surroundings {
   /// Areas of which the whole body stays in one [m]; they have nothing in common. Empty: it may be
   /// anywhere.
   std::vector<Polygon> inside = {};
+  std::vector<Zone> zones = {};  ///< ground with rules of its own
+  std::vector<Mask> masks = {};  ///< further maps; a world has obstacles in their place
+};
+
+/// Order in which segments are driven in time.
+enum class InTime : std::uint8_t {
+  onward,
+  /// A search from the goal: the vehicle drives each segment from its end to its begin, in the gear
+  /// opposite to that of the segment.
+  backward,
 };
 
 /// A place around which a smaller margin is enough. With the rear axle at `centre` the margin is
@@ -60,13 +96,17 @@ struct Margin {
 ///
 /// Local states and points are in the frame of the checker. It is that of the world from which the
 /// checker comes (`to_local`), or that of the surroundings it was made of. A world puts thin
-/// obstacles, fences, around the areas of `inside`. A checker that is made of surroundings adds no
-/// fences.
+/// obstacles, fences, around the areas of `inside`, and obstacles in the place of masks. A checker
+/// that is made of surroundings adds neither.
 ///
 /// Promise: what is accepted keeps the closed footprints clear of every closed obstacle by more
 /// than the margin, and the rear axle inside the bounds. The bounds do not hold for a trailer, and
 /// its hitch angle is not limited here. What has a clearance above the margin plus `tolerance` is
 /// accepted.
+///
+/// Zones: `is_free` is false if a rule is broken. No margin counts for zones. What keeps
+/// `tolerance` to the area of a zone breaks none of its rules. A direction of travel may be off by
+/// 1e-9 rad.
 class CollisionChecker {
  public:
   /// Clearance beyond the margin above which everything is accepted [m].
@@ -79,25 +119,28 @@ class CollisionChecker {
   /// Checker of a vehicle among surroundings, whose frame it has. The polygons must be simple.
   CollisionChecker(const Vehicle& vehicle, const Surroundings& surroundings,
                    const Margin& margin = {});
-  /// Checker of a vehicle on a ground that many vehicles share. `World::checker` calls it.
+  /// Checker of a vehicle on a ground that many vehicles share, with zones in the same frame.
+  /// `World::checker` calls it.
   CollisionChecker(const Vehicle& vehicle, std::shared_ptr<const collision::Ground> ground,
-                   const Margin& margin = {});
+                   const Margin& margin = {}, std::span<const Zone> zones = {});
   ~CollisionChecker();
   CollisionChecker(const CollisionChecker&) = delete;
   CollisionChecker& operator=(const CollisionChecker&) = delete;
 
-  /// Whether the vehicle is free in the state: it keeps its margin, and its rear axle is in the
-  /// bounds. False for a state that is not finite.
+  /// Whether the vehicle is free in the state: it keeps its margin, its rear axle is in the bounds,
+  /// and it stands in no closed zone. False for a state that is not finite.
   [[nodiscard]] bool is_free(const LocalState& state) const noexcept;
 
-  /// Whether all ground swept from `from` along the segment is free, both ends included.
-  [[nodiscard]] bool is_free(const LocalState& from, const Segment& segment) const noexcept;
+  /// Whether all ground swept from `from` along the segment is free, both ends included, and the
+  /// segment breaks no rule of a zone when it is driven in that order.
+  [[nodiscard]] bool is_free(const LocalState& from, const Segment& segment,
+                             InTime in_time = InTime::onward) const noexcept;
 
-  /// Whether all ground swept from `from` along the segments, one after the other, is free.
-  [[nodiscard]] bool is_free(const LocalState& from,
-                             std::span<const Segment> segments) const noexcept;
+  /// `is_free` of segments, one after the other.
+  [[nodiscard]] bool is_free(const LocalState& from, std::span<const Segment> segments,
+                             InTime in_time = InTime::onward) const noexcept;
 
-  /// `is_free` of the tractor alone, as if it pulled no trailer.
+  /// `is_free` of the tractor alone, as if it pulled no trailer and there were no zones.
   [[nodiscard]] bool tractor_is_free(const LocalPose& from,
                                      std::span<const Segment> segments = {}) const noexcept;
 

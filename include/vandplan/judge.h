@@ -67,10 +67,11 @@ struct PathClaims {
   std::vector<StatedPose> poses = {};
 };
 
-/// Kind of thing that a vehicle may touch, come too near to, or leave.
-enum class HitKind : std::uint8_t { obstacle, kerb, map, bounds, inside };
+/// Kind of thing that a vehicle may touch, come too near to, or leave, or whose rule it may break.
+enum class HitKind : std::uint8_t { obstacle, kerb, map, bounds, inside, zone, mask };
 
-/// Name of the kind, as in scenario files: "obstacles", "kerbs", "map", "bounds", "inside".
+/// Name of the kind, as in scenario files: "obstacles", "kerbs", "map", "bounds", "inside",
+/// "zones", "masks".
 [[nodiscard]] std::string_view name_of(HitKind kind) noexcept;
 
 /// The kind with that name; none if there is no such kind.
@@ -82,7 +83,7 @@ enum class HitKind : std::uint8_t { obstacle, kerb, map, bounds, inside };
 /// A thing that a vehicle touches, comes too near to, or leaves.
 struct Hit {
   HitKind kind = HitKind::obstacle;
-  /// Index of the obstacle, of the kerb, or of the area to stay in, in the scenario.
+  /// Index of the obstacle, kerb, area to stay in, zone or mask in the scenario.
   std::size_t index = 0;
   /// Middle of the map's cell, in the scenario's frame [m]. Only `PlanResult::hit` has it.
   std::optional<Point> cell = {};
@@ -120,6 +121,7 @@ struct PathCheck {
 /// - Every curvature is drivable. The wheels turn and the gears are as claimed.
 /// - The rear axle stays in the bounds, and the whole body in the area of `inside` in which it
 ///   begins.
+/// - No rule of a zone is broken.
 /// - The hitch angle of a trailer stays within its limit.
 /// - The footprint touches no obstacle and no blocked cell, and the wheels no kerb, for vehicle and
 ///   trailer. The judge looks at every millimetre that a point of the vehicle moves. It skips only

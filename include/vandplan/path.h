@@ -28,6 +28,13 @@ enum class Gear : std::int8_t { forward = 1, reverse = -1 };
   return direction < 0.0 ? Gear::reverse : Gear::forward;
 }
 
+/// Gears in which a path may drive.
+enum class AllowedGears : std::uint8_t {
+  both,
+  forward,  ///< no metre in reverse, as the car of Dubins
+  reverse,  ///< no metre forward
+};
+
 /// Part of a path in one gear. Its curvature is constant (an arc or a line) or changes linearly
 /// with the driven distance (a clothoid).
 struct Segment {

@@ -16,6 +16,8 @@
 #include <variant>
 #include <vector>
 
+#include "vandplan/path.h"
+
 namespace vandplan {
 
 // ---- What can a planner do? ----
@@ -103,13 +105,6 @@ inline constexpr double default_time_limit = 1.0;
 
 /// Gear that the vehicle drove before it came to the start.
 enum class InitialGear { any, forward, reverse };
-
-/// Gears in which a path may drive.
-enum class AllowedGears : std::uint8_t {
-  both,
-  forward,  ///< no metre in reverse, as the car of Dubins
-  reverse,  ///< no metre forward
-};
 
 /// Name of the gears: "both", "forward" or "reverse".
 [[nodiscard]] std::string_view name_of(AllowedGears gears) noexcept;

@@ -67,8 +67,10 @@ struct Scenario {
   std::vector<Polygon> kerbs = {};      ///< outlines for the wheels alone [m]
   /// The whole body stays in one of these areas; empty: anywhere.
   std::vector<Polygon> inside = {};
+  std::vector<Zone> zones = {};             ///< ground with rules of its own
   std::string map_file = {};                ///< file of the map; empty without a map
   std::optional<OccupancyGrid> map = {};    ///< the occupancy map; none: there is no map
+  std::vector<Mask> masks = {};             ///< further maps
   std::vector<MovingObstacle> moving = {};  ///< moving obstacles
 };
 
@@ -82,9 +84,10 @@ class World {
   ///
   /// Throws InputError naming the key ("bounds.x", "obstacles[2]", "inside[1]", "map.resolution")
   /// when a number is not finite or out of range, bounds are crossed, or areas of `inside` touch
-  /// each other. It also throws for a polygon with fewer than three corners or no area, or one that
-  /// crosses or touches itself. Repeated corners are dropped. A polygon of one repeated corner
-  /// stands for that point. Bounds are cut at 1000 km from the origin along each axis.
+  /// each other. Keys of zones and masks are "zones[0].area" and "masks[0].map". It also throws for
+  /// a zone without a rule, a polygon with fewer than three corners or no area, or one that crosses
+  /// or touches itself. Repeated corners are dropped. A polygon of one repeated corner stands for
+  /// that point. Bounds are cut at 1000 km from the origin along each axis.
   World(const Surroundings& surroundings, const Point& near);
   /// Makes a world like `ground` with more obstacles, given in the frame of `ground`. The origin of
   /// the new world is 0. It shares what was made of the map. Throws InputError naming "more[2]".
@@ -97,13 +100,14 @@ class World {
   [[nodiscard]] const Point& origin() const noexcept { return origin_; }
 
   /// The cleaned surroundings in the world's frame, as planners and judge use them. The first
-  /// `fences()` obstacles are the fences around the areas of `inside`.
+  /// `fences()` obstacles are the fences around the areas of `inside` and the blocks of masks.
   [[nodiscard]] const Surroundings& local() const noexcept { return local_; }
 
-  /// Number of fences: one outside each side of all areas of `inside`, a micrometre thick.
+  /// Number of fences and blocks. A fence is outside of one side of an area of `inside`, a
+  /// micrometre thick. Blocks are rectangles that cover the occupied cells of a mask.
   [[nodiscard]] std::size_t fences() const noexcept;
-  /// Surroundings without the fences, in the world's frame: a world of the same kind is made of
-  /// them.
+  /// Surroundings without fences and blocks, in the world's frame: a world of the same kind is made
+  /// of them.
   [[nodiscard]] Surroundings without_fences() const;
 
   /// The checker of a vehicle that keeps a margin, in the world's frame. The world keeps it, unless
@@ -111,6 +115,9 @@ class World {
   /// is wrong.
   [[nodiscard]] std::shared_ptr<const CollisionChecker> checker(const Vehicle& vehicle,
                                                                 const Margin& margin = {}) const;
+  /// `checker` that knows no zones: for bodies that are only a part of a vehicle.
+  [[nodiscard]] std::shared_ptr<const CollisionChecker> checker_of_obstacles(
+      const Vehicle& vehicle, const Margin& margin = {}) const;
 
   /// A value of that type that a part of the library keeps with the world. The first call makes it
   /// with `make`, later calls return that value. May be called from any thread.
@@ -124,6 +131,8 @@ class World {
   // Other obstacles, in the world's frame and cleaned, and other cells of the map in some ranges.
   // The values of `kept` are dropped.
   void change(std::vector<Polygon> obstacles, std::span<const CellRange> cells);
+  [[nodiscard]] std::shared_ptr<const CollisionChecker> checker_among(
+      const Vehicle& vehicle, const Margin& margin, std::span<const Zone> zones) const;
 
   std::shared_ptr<collision::Ground> ground_;
   std::unique_ptr<base::Derived> derived_;
@@ -197,7 +206,7 @@ void check_poses(const Pose& start, const Pose& goal);
 /// Checks a map alone. Throws InputError naming "map.resolution", "map.origin" or "map".
 void check_map(const OccupancyGrid& map);
 
-/// Bounds, obstacles, kerbs, map and `inside` areas of a scenario, in its frame.
+/// What stands in a scenario, in its frame: all of it but what moves.
 [[nodiscard]] Surroundings surroundings(const Scenario& scenario);
 
 /// The problem of a scenario, in a world of its own. Throws InputError naming the key that is

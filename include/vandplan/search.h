@@ -101,6 +101,7 @@ struct CostRule {
   /// 1 - clearance / clearance_distance) times as much.
   double clearance_weight = 0.0;
   double clearance_distance = 1.0;  ///< distance that is near [m]; > 0
+  InTime in_time = InTime::onward;  ///< order in which segments are driven: backward from the goal
 
   [[nodiscard]] bool is_length() const {
     return forward_weight == 1.0 && reverse_weight == 1.0 && gear_change_cost == 0.0 &&
@@ -169,8 +170,8 @@ struct Driven {
 /// obstacles.
 [[nodiscard]] double drive_cost(const CostRule& rule, std::span<const Segment> segments);
 
-/// The rule for driving a path from its end to its start: the gears change places. `before` is the
-/// gear before the first metre of that.
+/// The rule for driving a path from its end to its start: gears and order in time change places.
+/// `before` is the gear before the first metre of that.
 [[nodiscard]] CostRule reversed(const CostRule& rule, GearSign before);
 
 /// How finely the clearance is sampled along a path.
@@ -265,7 +266,8 @@ class Connector {
                                         cutoff);
   }
 
-  /// Whether the vehicle is free on the whole piece, on the segment, or in the state.
+  /// Whether the vehicle is free on the whole piece, on the segment, or in the state. The rule says
+  /// in which order segments are driven, which matters in zones.
   [[nodiscard]] bool is_free(const LocalState& from, const Piece& piece);
   [[nodiscard]] bool is_free(const LocalState& from, const Segment& segment);
   [[nodiscard]] bool is_free(const LocalState& state) const { return checker_.is_free(state); }

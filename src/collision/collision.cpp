@@ -12,6 +12,7 @@
 #include "collision/outline_sweep.h"
 #include "collision/sweep.h"
 #include "collision/trailer_part.h"
+#include "collision/zones.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan {
@@ -154,15 +155,19 @@ struct CollisionChecker::Data {
        std::shared_ptr<const collision::Ground> on)
       : body(std::move(of_body), of_wheels, kept.wanted), margin(kept), ground(std::move(on)) {}
 
-  Data(const Vehicle& vehicle, const Margin& kept, std::shared_ptr<const collision::Ground> on)
+  Data(const Vehicle& vehicle, const Margin& kept, std::shared_ptr<const collision::Ground> on,
+       std::span<const Zone> all_zones)
       : Data(shape_of(vehicle), wheel_footprint(vehicle), kept, std::move(on)) {
     if (vehicle.trailer) towed.emplace(vehicle, kept.wanted);
+    zones.emplace(vehicle, all_zones);
+    if (zones->is_empty()) zones.reset();
   }
 
   Body body;
   Margin margin;
   std::shared_ptr<const collision::Ground> ground;
   std::optional<Towed> towed = {};
+  std::optional<collision::Zones> zones = {};  // Zones with rules; none if there are none.
 
   /// Whether a rear axle may begin at a place: no obstacle, kerb or blocked cell contains it, and
   /// `may_begin_at` holds.
@@ -365,12 +370,13 @@ CollisionChecker::CollisionChecker(const Footprint& footprint, const Bounds& bou
 
 CollisionChecker::CollisionChecker(const Vehicle& vehicle, const Surroundings& surroundings,
                                    const Margin& margin)
-    : CollisionChecker(vehicle, std::make_shared<const collision::Ground>(surroundings), margin) {}
+    : CollisionChecker(vehicle, std::make_shared<const collision::Ground>(surroundings), margin,
+                       surroundings.zones) {}
 
 CollisionChecker::CollisionChecker(const Vehicle& vehicle,
                                    std::shared_ptr<const collision::Ground> ground,
-                                   const Margin& margin)
-    : data_(std::make_unique<const Data>(vehicle, margin, std::move(ground))) {}
+                                   const Margin& margin, std::span<const Zone> zones)
+    : data_(std::make_unique<const Data>(vehicle, margin, std::move(ground), zones)) {}
 
 CollisionChecker::~CollisionChecker() = default;
 
@@ -378,15 +384,17 @@ bool CollisionChecker::is_free(const LocalState& state) const noexcept {
   return is_free(state, Segment{});
 }
 
-bool CollisionChecker::is_free(const LocalState& from, const Segment& segment) const noexcept {
-  return is_free(from, std::span<const Segment>(&segment, 1));
+bool CollisionChecker::is_free(const LocalState& from, const Segment& segment,
+                               InTime in_time) const noexcept {
+  return is_free(from, std::span<const Segment>(&segment, 1), in_time);
 }
 
-bool CollisionChecker::is_free(const LocalState& from,
-                               std::span<const Segment> segments) const noexcept {
+bool CollisionChecker::is_free(const LocalState& from, std::span<const Segment> segments,
+                               InTime in_time) const noexcept {
   if (segments.empty()) return is_free(from);
   return data_->is_tractor_free(from.pose, segments) &&
-         (!data_->towed || data_->is_trailer_free(from, segments));
+         (!data_->towed || data_->is_trailer_free(from, segments)) &&
+         (!data_->zones || data_->zones->allow(from, segments, in_time));
 }
 
 bool CollisionChecker::tractor_is_free(const LocalPose& from,

@@ -172,6 +172,11 @@ State end_of(const Scene& scene) {
 
 /// Corners of the object that is hit; empty if the scenario lacks it.
 std::vector<Polygon> outline_of(const Scenario& scenario, const Hit& hit) {
+  if (hit.kind == HitKind::mask) return {};
+  if (hit.kind == HitKind::zone) {
+    if (hit.index >= scenario.zones.size()) return {};
+    return {scenario.zones[hit.index].area};
+  }
   if (has_index(hit.kind)) {
     const std::vector<Polygon>& all = hit.kind == HitKind::kerb     ? scenario.kerbs
                                       : hit.kind == HitKind::inside ? scenario.inside

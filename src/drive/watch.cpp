@@ -11,8 +11,8 @@
 namespace vandplan::driving {
 namespace {
 
-/// World with the same obstacles and bounds that no vehicle reaches: leaving the bounds is no
-/// contact.
+/// World with the same obstacles, without zones, and with bounds that no vehicle reaches: leaving
+/// the bounds or breaking a rule is no contact.
 struct Unbounded {
   std::shared_ptr<const World> world;
 };
@@ -22,6 +22,7 @@ std::shared_ptr<const World> unbounded(const World& world) {
     constexpr double far = 1e6;  // half side of the bounds [m]; worlds reach no further
     Surroundings things = world.without_fences();
     things.bounds = {-far, far, -far, far};
+    things.zones.clear();
     // A polygon that has shrunk to a point or a line gets its last corner repeated, up to three
     // corners.
     for (std::vector<Polygon>* polygons : {&things.obstacles, &things.kerbs}) {

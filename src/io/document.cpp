@@ -2,6 +2,8 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "io/document.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -206,6 +208,14 @@ const std::string& Document::text(const Node& node) const {
   return node.text;
 }
 
+bool Document::truth(const Node& node) const {
+  const std::string& word = text(node);
+  if (word != "true" && word != "false") {
+    fail(node, "is \"" + word.substr(0, 40) + "\", expected true or false");
+  }
+  return word == "true";
+}
+
 void NodeBuilder::fail(int line, const std::string& problem) const {
   throw InputError(in_file(where_, line), problem);
 }
@@ -284,6 +294,21 @@ void NodeBuilder::add(Node node, std::size_t before) {
   } else {
     fail(node.line, "a key is " + description_of(node) + ", expected a word");
   }
+}
+
+std::string yaml_scalar(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      result += '\\';
+      result += c;
+    } else if (static_cast<unsigned char>(c) < ' ' || c == 127) {
+      result += fmt::format("\\x{:02x}", static_cast<int>(c));
+    } else {
+      result += c;
+    }
+  }
+  return result + '"';
 }
 
 }  // namespace vandplan::io

@@ -58,12 +58,13 @@ class Document {
   /// Elements of a list; throws if `node` is no list. `expected` describes the list, "a list of
   /// polygons".
   [[nodiscard]] const std::vector<Node>& list(const Node& node, std::string_view expected) const;
-  /// A finite number; throws if `node` is none. `integer`, `count` and `text` throw in the same
-  /// way.
+  /// A finite number; throws if `node` is none. `integer`, `count`, `text` and `truth`, which reads
+  /// true or false, throw in the same way.
   [[nodiscard]] double number(const Node& node) const;
   [[nodiscard]] std::int64_t integer(const Node& node) const;
   [[nodiscard]] std::uint64_t count(const Node& node) const;
   [[nodiscard]] const std::string& text(const Node& node) const;
+  [[nodiscard]] bool truth(const Node& node) const;
 
   /// Throws an InputError that names the node.
   [[noreturn]] void fail(const Node& node, const std::string& problem) const;
@@ -126,6 +127,9 @@ class NodeBuilder {
 
 /// Largest text file that is read [bytes].
 inline constexpr std::size_t largest_text = std::size_t{64} << 20;
+
+/// Text as a double-quoted YAML scalar.
+[[nodiscard]] std::string yaml_scalar(const std::string& text);
 
 [[nodiscard]] Document parse_yaml(const std::string& text, const std::string& where);
 /// Result of `parse_yaml`, read by the YAML parser alone. It is many times slower for long lists.

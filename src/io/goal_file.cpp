@@ -54,25 +54,10 @@ Interval interval_from(const Document& file, const Node& node) {
   return {ends.x, ends.y};
 }
 
-HeadingRange headings_from(const Document& file, const Node& node) {
-  if (is_any(node)) return any_heading;
-  if (node.kind != Node::Kind::list) return {file.number(node), file.number(node)};
-  const Point ends = pair_from(file, node, "[first, last], counter-clockwise");
-  return {ends.x, ends.y};
-}
-
 Interval hitch_angles_from(const Document& file, const Node& node, const Vehicle& vehicle) {
   expect_trailer(file, node, vehicle, "are");
   if (is_any(node)) return {-vehicle.max_hitch_angle, vehicle.max_hitch_angle};
   return interval_from(file, angle_node(file, node));
-}
-
-bool bool_from(const Document& file, const Node& node) {
-  const std::string& text = file.text(node);
-  if (text != "true" && text != "false") {
-    file.fail(node, "is \"" + text.substr(0, 40) + "\", expected true or false");
-  }
-  return text == "true";
 }
 
 /// Reads place and heading of the axle that a goal refers to.
@@ -90,7 +75,7 @@ void read_axle(const Document& file, const Node& node, GoalRegion& region) {
   }
   region.heading = headings_from(file, file.at(node, "heading"));
   const Node* const either_way = file.find(node, "either_way");
-  if (either_way != nullptr) region.either_way = bool_from(file, *either_way);
+  if (either_way != nullptr) region.either_way = file.truth(*either_way);
 }
 
 GoalRegion region_from(const Document& file, const Node& node, const Vehicle& vehicle) {
@@ -128,17 +113,11 @@ std::string yaml_of(const Interval& interval) {
   return fmt::format("[{}, {}]", interval.least, interval.most);
 }
 
-std::string yaml_of(const HeadingRange& range) {
-  if (range == any_heading) return "any";
-  if (range.from == range.to) return fmt::format("{}", range.from);
-  return fmt::format("[{}, {}]", range.from, range.to);
-}
-
 std::string yaml_of(const GoalRegion& region) {
   std::string axle = region.area.empty()
                          ? fmt::format("x: {}, y: {}", yaml_of(region.x), yaml_of(region.y))
                          : fmt::format("area: {}", io::yaml_of(region.area));
-  axle += fmt::format(", heading: {}", yaml_of(region.heading));
+  axle += fmt::format(", heading: {}", io::yaml_of(region.heading));
   if (region.either_way) axle += ", either_way: true";
   if (region.is_of_trailer) axle = fmt::format("trailer: {{{}}}", axle);
   if (region.curvature != 0.0) axle += fmt::format(", curvature: {}", region.curvature);
@@ -149,6 +128,13 @@ std::string yaml_of(const GoalRegion& region) {
 }
 
 }  // namespace
+
+HeadingRange headings_from(const Document& file, const Node& node) {
+  if (is_any(node)) return any_heading;
+  if (node.kind != Node::Kind::list) return {file.number(node), file.number(node)};
+  const Point ends = pair_from(file, node, "[first, last], counter-clockwise");
+  return {ends.x, ends.y};
+}
 
 End end_from(const Document& file, const Node& node, const Vehicle& vehicle) {
   return {lone_pose(file, node), curvature_from(file, node), hitch_angle_from(file, node, vehicle)};
@@ -206,6 +192,12 @@ void warn_of_degrees(const Document& file, const Node& node, std::vector<std::st
       break;
     }
   }
+}
+
+std::string yaml_of(const HeadingRange& range) {
+  if (range == any_heading) return "any";
+  if (range.from == range.to) return fmt::format("{}", range.from);
+  return fmt::format("[{}, {}]", range.from, range.to);
 }
 
 std::string yaml_of(const End& end) {

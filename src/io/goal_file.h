@@ -31,9 +31,13 @@ struct End {
 [[nodiscard]] std::vector<GoalRegion> goal_set_from(const Document& file, const Node& node,
                                                     const Vehicle& vehicle);
 
+/// Headings from a number, from [first, last], or from `any`.
+[[nodiscard]] HeadingRange headings_from(const Document& file, const Node& node);
+
 /// Adds a warning for each heading of a start or goal that looks like degrees.
 void warn_of_degrees(const Document& file, const Node& node, std::vector<std::string>& warnings);
 
+[[nodiscard]] std::string yaml_of(const HeadingRange& range);
 [[nodiscard]] std::string yaml_of(const End& end);
 [[nodiscard]] std::string yaml_of(const std::vector<GoalRegion>& set);
 

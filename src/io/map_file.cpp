@@ -214,4 +214,15 @@ OccupancyGrid io::map_from(const std::string& name, std::vector<std::string>& wa
   return grid;
 }
 
+OccupancyGrid io::map_named(const Document& file, const Node& node, const std::string& where,
+                            std::vector<std::string>& warnings) {
+  const auto path = std::filesystem::path(where).parent_path() / file.text(node);
+  try {
+    return map_from(path.string(), warnings);
+  } catch (const InputError& error) {
+    if (error.where() != path.string()) throw;  // The error is in the map, not in opening the file.
+    file.fail(node, error.what());
+  }
+}
+
 }  // namespace vandplan

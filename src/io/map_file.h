@@ -6,11 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "io/document.h"
 #include "vandplan/geometry.h"
 
 namespace vandplan::io {
 
 /// Result of `read_map`; adds warnings "file:line: key: what".
 [[nodiscard]] OccupancyGrid map_from(const std::string& name, std::vector<std::string>& warnings);
+
+/// Map that a node of a scenario names; the name is relative to the scenario's file `where`.
+[[nodiscard]] OccupancyGrid map_named(const Document& file, const Node& node,
+                                      const std::string& where, std::vector<std::string>& warnings);
 
 }  // namespace vandplan::io

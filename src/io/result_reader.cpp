@@ -226,7 +226,9 @@ Hit hit_from(const Document& file, const Node& node) {
   const std::optional<HitKind> kind = hit_kind_named(name);
   if (!kind) {
     file.fail(what,
-              fmt::format("is \"{}\", expected obstacles, kerbs, map, bounds or inside", name));
+              fmt::format("is \"{}\", expected obstacles, kerbs, map, bounds, inside, zones or "
+                          "masks",
+                          name));
   }
   hit.kind = *kind;
   if (const Node* const index = file.find(node, "index")) hit.index = file.count(*index);

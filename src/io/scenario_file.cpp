@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "io/document.h"
 #include "io/goal_file.h"
@@ -14,6 +13,7 @@
 #include "io/moving_file.h"
 #include "io/polygons.h"
 #include "io/vehicle_file.h"
+#include "io/zone_file.h"
 #include "problem/checks.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
@@ -108,18 +108,6 @@ GeoPlace origin_from(const Document& file, const Node& node) {
 
 using Map = std::optional<OccupancyGrid>;
 
-/// Map that a scenario names; the name is relative to the scenario's file.
-OccupancyGrid map_of(const Document& file, const Node& node, const std::string& where,
-                     std::vector<std::string>& warnings) {
-  const auto path = std::filesystem::path(where).parent_path() / file.text(node);
-  try {
-    return io::map_from(path.string(), warnings);
-  } catch (const InputError& error) {
-    if (error.where() != path.string()) throw;  // The error is in the map, not in opening the file.
-    file.fail(node, error.what());
-  }
-}
-
 /// Whether the map has a cell where the vehicle may be.
 bool has_free_cell(const OccupancyGrid& map) {
   return map.unknown_is_free || std::ranges::find(*map.cells, Cell::free) != map.cells->end();
@@ -134,7 +122,7 @@ void read_ground(const Document& file, const std::string& where, const Map& know
   const Node* const unknown = file.find(root, "unknown");
   if (map != nullptr) {
     scenario.map_file = file.text(*map);
-    scenario.map = known ? *known : map_of(file, *map, where, result.warnings);
+    scenario.map = known ? *known : map_named(file, *map, where, result.warnings);
     scenario.map->unknown_is_free = unknown != nullptr && unknown_from(file, *unknown);
     if (!has_free_cell(*scenario.map)) {
       result.warnings.push_back(file.place_of(*map) +
@@ -157,6 +145,10 @@ void read_ground(const Document& file, const std::string& where, const Map& know
     scenario.inside = polygons_from(file, *inside);
     if (scenario.inside.empty()) file.fail(*inside, "is empty, expected one area at least");
   }
+  if (const Node* const zones = file.find(root, "zones")) scenario.zones = zones_from(file, *zones);
+  if (const Node* const masks = file.find(root, "masks")) {
+    scenario.masks = masks_from(file, *masks, where, result.warnings);
+  }
   const Node* const obstacles = file.find(root, "obstacles");
   if (map != nullptr && obstacles == nullptr) return;
   scenario.obstacles = polygons_from(file, file.at(root, "obstacles"));
@@ -169,7 +161,7 @@ ScenarioFile scenario_from(const Document& file, const std::string& where, const
   }
   file.allow_only(
       root, {"name", "description", "vehicle", "bounds", "start", "goal", "goals", "obstacles",
-             "kerbs", "inside", "map", "unknown", "moving", "options", "origin"});
+             "kerbs", "inside", "zones", "map", "unknown", "masks", "moving", "options", "origin"});
   const Node* const goals = file.find(root, "goals");
   const Node* const goal = file.find(root, "goal");
   if (goals != nullptr && goal != nullptr) {
@@ -270,22 +262,6 @@ void check(const ScenarioFile& file) {
 
 std::string name_of_file(const std::string& file) { return file == "-" ? "standard input" : file; }
 
-/// Text as a double-quoted YAML scalar.
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') {
-      result += '\\';
-      result += c;
-    } else if (static_cast<unsigned char>(c) < ' ' || c == 127) {
-      result += fmt::format("\\x{:02x}", static_cast<int>(c));
-    } else {
-      result += c;
-    }
-  }
-  return result + '"';
-}
-
 /// Value of an `obstacles` key, up to the end of its lines.
 std::string yaml_of(const std::vector<Polygon>& polygons, const std::string& indent) {
   if (polygons.empty()) return " []\n";
@@ -361,9 +337,9 @@ ScenarioProblems read_problems(const std::string& file) {
 std::string to_yaml(const ScenarioFile& file) {
   const Scenario& scenario = file.scenario;
   const Bounds& b = scenario.bounds;
-  std::string text = fmt::format("name: {}\n", quoted(scenario.name));
+  std::string text = fmt::format("name: {}\n", yaml_scalar(scenario.name));
   if (!scenario.description.empty()) {
-    text += fmt::format("description: {}\n", quoted(scenario.description));
+    text += fmt::format("description: {}\n", yaml_scalar(scenario.description));
   }
   text += fmt::format("vehicle: {}\n", yaml_of(scenario.vehicle));
   text += fmt::format("bounds: {{x: [{}, {}], y: [{}, {}]}}\n", b.x_min, b.x_max, b.y_min, b.y_max);
@@ -384,10 +360,12 @@ std::string to_yaml(const ScenarioFile& file) {
   }
   if (!scenario.kerbs.empty()) text += "kerbs:" + yaml_of(scenario.kerbs, "  ");
   if (!scenario.inside.empty()) text += "inside:" + yaml_of(scenario.inside, "  ");
+  text += zones_to_yaml(scenario.zones);
   if (scenario.map) {
-    text += fmt::format("map: {}\n", quoted(scenario.map_file));
+    text += fmt::format("map: {}\n", yaml_scalar(scenario.map_file));
     if (scenario.map->unknown_is_free) text += "unknown: free\n";
   }
+  text += masks_to_yaml(scenario.masks);
   if (file.origin) {
     text += fmt::format("origin: {{longitude: {}, latitude: {}}}\n", file.origin->longitude,
                         file.origin->latitude);

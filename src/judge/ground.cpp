@@ -25,17 +25,25 @@ Outlines outlines_of(const Trailer& trailer) {
 
 namespace {
 
-std::vector<std::size_t> sides_of_all(const std::vector<Polygon>& areas) {
-  std::vector<std::size_t> sides;
-  sides.reserve(areas.size());
-  for (const Polygon& area : areas) sides.push_back(area.size());
-  return sides;
+/// Numbers of fences of areas, and of blocks of masks.
+std::vector<Stand> stands_of(const Surroundings& surroundings) {
+  std::vector<Stand> stands;
+  for (std::size_t i = 0; i < surroundings.inside.size(); ++i) {
+    stands.push_back(
+        {surroundings.inside[i].size(),
+         {"the edge of inside[" + std::to_string(i) + "]", "the footprint", {HitKind::inside, i}}});
+  }
+  for (std::size_t i = 0; i < surroundings.masks.size(); ++i) {
+    stands.push_back({surroundings.masks[i].blocks,
+                      {"masks[" + std::to_string(i) + "]", "the footprint", {HitKind::mask, i}}});
+  }
+  return stands;
 }
 
 }  // namespace
 
 Ground::Ground(const Surroundings& surroundings)
-    : fences_(sides_of_all(surroundings.inside)),
+    : stands_(stands_of(surroundings)),
       obstacles_(surroundings.obstacles),
       kerbs_(surroundings.kerbs),
       is_empty_(surroundings.obstacles.empty() && surroundings.kerbs.empty() && !surroundings.map) {
@@ -50,7 +58,7 @@ std::string door_fault(const Problem& problem, double margin) {
 
 Ground::Ground(const Ground& before, const Surroundings& surroundings,
                std::span<const CellRange> cells)
-    : fences_(before.fences_),
+    : stands_(before.stands_),
       obstacles_(surroundings.obstacles),
       kerbs_(surroundings.kerbs),
       cells_(before.cells_),
@@ -73,13 +81,9 @@ double Ground::clearance(const View& view, const Outlines& outlines, double most
 Thing Ground::first_within(double distance, const View& view, const Outlines& outlines) const {
   if (const auto first = obstacles_.first_within(distance, view, outlines.body)) {
     std::size_t index = *first;
-    for (std::size_t area = 0; area < fences_.size(); ++area) {
-      if (index < fences_[area]) {
-        return {"the edge of inside[" + std::to_string(area) + "]",
-                "the footprint",
-                {HitKind::inside, area}};
-      }
-      index -= fences_[area];
+    for (const auto& [count, thing] : stands_) {
+      if (index < count) return thing;
+      index -= count;
     }
     return {
         "obstacles[" + std::to_string(index) + "]", "the footprint", {HitKind::obstacle, index}};

@@ -5,10 +5,12 @@
 //
 // Method: docs/algorithms/path_check.md; proof: docs/proofs/judge.md.
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "judge/cell_tree.h"
 #include "judge/clearance.h"
@@ -29,6 +31,12 @@ struct Thing {
   std::string name;  ///< name of the obstacle, such as "obstacles[2]" or "the map"
   std::string part;  ///< part of the vehicle: "the footprint" or "the wheels"
   Hit hit = {};
+};
+
+/// Obstacles in a row that a world put in the place of one thing.
+struct Stand {
+  std::size_t count = 0;
+  Thing thing = {};
 };
 
 /// Reason why a verdict is impossible: an empty problem, or a negative margin. Empty if there is
@@ -64,8 +72,7 @@ class Ground {
                                    const Outlines& outlines) const;
 
  private:
-  // Number of fences of each `inside` area; fences are the first obstacles.
-  std::vector<std::size_t> fences_;
+  std::vector<Stand> stands_;  // what the first obstacles stand for, in their order
   PolygonTree obstacles_;
   PolygonTree kerbs_;
   std::optional<CellTree> cells_;

@@ -20,6 +20,7 @@
 #include "judge/steering.h"
 #include "judge/text.h"
 #include "judge/track.h"
+#include "judge/zones.h"
 
 namespace vandplan {
 namespace {
@@ -323,6 +324,9 @@ std::optional<Fault> first_fault(const Task& task, const Track& track, const Tra
   if (auto f = wrong_gear(track, claims.gears)) return f;
   if (auto f = out_of_bounds(track, task.world->local().bounds)) return f;
   if (auto f = begins_outside(track, trailing, task.world->local().inside)) return f;
+  if (auto f = broken_rule(task.world->local().zones, task.vehicle, track, trailing)) {
+    return Fault{f->reason, f->place, f->hit};
+  }
   const std::shared_ptr<const Ground> ground = ground_of(*task.world);
   Bodies bodies{{track, *ground, outlines_of(task.vehicle)}};
   if (trailing != nullptr) {
@@ -355,8 +359,8 @@ Path local_path(const World& world, const Path& path) {
 }
 
 /// Names of `HitKind`, in the order of the enumerators.
-constexpr std::array<std::string_view, 5> names_of_kinds = {"obstacles", "kerbs", "map", "bounds",
-                                                            "inside"};
+constexpr std::array<std::string_view, 7> names_of_kinds = {"obstacles", "kerbs", "map",  "bounds",
+                                                            "inside",    "zones", "masks"};
 
 PathClaims local_claims(const World& world, const PathClaims& claims) {
   PathClaims local = claims;

@@ -90,6 +90,20 @@ void check_pose(const Pose& pose, const std::string& where) {
   require_within(pose.heading, largest_heading, where + ".heading");
 }
 
+void check_headings(const HeadingRange& range, const std::string& where) {
+  require_within(range.from, largest_heading, where);
+  require_within(range.to, largest_heading, where);
+  constexpr double full_turn = 2 * std::numbers::pi;
+  constexpr double doubtful = 1e-5;  // Rounding may make one heading of it, or all [rad].
+  const double least = std::min(width(range), full_turn - width(range));
+  if (range.to < range.from && std::abs(least) < doubtful) {
+    throw InputError(where, "ends a full turn below its begin, expected one heading twice, or any");
+  }
+  if (width(range) <= full_turn) return;
+  throw InputError(where, "spans " + base::shortest_text(width(range)) +
+                              " rad, expected at most a full turn: any");
+}
+
 void check_curvature(double curvature, const Vehicle& vehicle, const std::string& where) {
   const double most = 1.0 / vehicle.min_turning_radius;
   require(std::abs(curvature) <= most, where,

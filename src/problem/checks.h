@@ -20,6 +20,9 @@ void require_within(double value, double limit, const std::string& where);
 /// Errors name `where` with ".x", ".y" or ".heading".
 void check_pose(const Pose& pose, const std::string& where);
 
+/// Throws unless both headings are at most 10^6 rad and span at most a full turn.
+void check_headings(const HeadingRange& range, const std::string& where);
+
 /// Throws unless the vehicle can drive the curvature [1/m].
 void check_curvature(double curvature, const Vehicle& vehicle, const std::string& where);
 

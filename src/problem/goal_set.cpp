@@ -17,22 +17,12 @@ namespace problem {
 namespace {
 
 constexpr std::size_t most_regions = 10'000;
-constexpr double full_turn = 2 * std::numbers::pi;
 
 void check_interval(const Interval& interval, const std::string& where) {
   if (interval.least <= interval.most) return;
   throw InputError(where, "is [" + base::shortest_text(interval.least) + ", " +
                               base::shortest_text(interval.most) +
                               "], expected the smaller number first");
-}
-
-void check_heading(const HeadingRange& heading, const std::string& where) {
-  const std::string pose = where.substr(0, where.rfind('.'));
-  check_pose({0, 0, heading.from}, pose);
-  check_pose({0, 0, heading.to}, pose);
-  if (width(heading) <= full_turn) return;
-  throw InputError(where, "spans " + base::shortest_text(width(heading)) +
-                              " rad, expected at most a full turn: any");
 }
 
 /// Box around all positions of a region [m].
@@ -55,7 +45,7 @@ void check_region(const GoalRegion& region, const Vehicle& vehicle, const Pose& 
     check_pose(corner, axle);
     check_distance(start, corner, axle);
   }
-  check_heading(region.heading, axle + ".heading");
+  check_headings(region.heading, axle + ".heading");
   check_curvature(region.curvature, vehicle, where + ".curvature");
   check_interval(region.hitch_angle, where + ".hitch_angles");
   check_hitch_angle(region.hitch_angle.least, vehicle, where + ".hitch_angles");

@@ -12,26 +12,32 @@
 #include "problem/checks.h"
 #include "problem/fences.h"
 #include "problem/goal_set.h"
+#include "problem/masks.h"
 #include "problem/moving.h"
+#include "problem/zones.h"
 #include "vandplan/input_error.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan {
 namespace {
 
-/// Surroundings moved into the frame of `origin`, cleaned, with fences. Throws InputError naming
-/// the wrong key.
+/// Surroundings moved into the frame of `origin`, cleaned, with fences and the blocks of masks.
+/// Throws InputError naming the wrong key.
 Surroundings checked(const Surroundings& given, const Point& origin) {
   Surroundings local{.bounds = problem::local_bounds(given.bounds, origin),
                      .obstacles = problem::local_polygons(given.obstacles, origin, "obstacles"),
                      .kerbs = problem::local_polygons(given.kerbs, origin, "kerbs"),
                      .map = {},
-                     .inside = problem::local_areas(given.inside, origin)};
-  if (!local.inside.empty()) {
-    std::vector<Polygon> all = problem::fences_around(local.inside);
-    all.insert(all.end(), local.obstacles.begin(), local.obstacles.end());
-    local.obstacles = std::move(all);
+                     .inside = problem::local_areas(given.inside, origin),
+                     .zones = problem::local_zones(given.zones, origin),
+                     .masks = problem::local_masks(given.masks, origin)};
+  std::vector<Polygon> first = problem::fences_around(local.inside);
+  for (Mask& mask : local.masks) {
+    const std::vector<Polygon> blocks = problem::rectangles_over(mask.map);
+    mask.blocks = blocks.size();
+    first.insert(first.end(), blocks.begin(), blocks.end());
   }
+  local.obstacles.insert(local.obstacles.begin(), first.begin(), first.end());
   if (given.map) local.map = problem::local_map(*given.map, origin);
   return local;
 }
@@ -39,7 +45,8 @@ Surroundings checked(const Surroundings& given, const Point& origin) {
 /// A collision checker, with the vehicle and the margin that it was made for.
 struct VehicleChecker {
   Vehicle vehicle;
-  double margin;  // margin that the vehicle keeps [m]
+  double margin;   // margin that the vehicle keeps [m]
+  bool has_zones;  // whether the checker knows the zones of the world
   CollisionChecker checker;
 };
 
@@ -97,9 +104,10 @@ World::World(const World& ground, const std::vector<Polygon>& more)
 World::~World() = default;
 
 std::size_t World::fences() const noexcept {
-  std::size_t sides = 0;
-  for (const Polygon& area : local_.inside) sides += area.size();
-  return sides;
+  std::size_t count = 0;
+  for (const Polygon& area : local_.inside) count += area.size();
+  for (const Mask& mask : local_.masks) count += mask.blocks;
+  return count;
 }
 
 Surroundings World::without_fences() const {
@@ -120,20 +128,33 @@ void World::change(std::vector<Polygon> obstacles, std::span<const CellRange> ce
 
 std::shared_ptr<const CollisionChecker> World::checker(const Vehicle& vehicle,
                                                        const Margin& margin) const {
+  return checker_among(vehicle, margin, local_.zones);
+}
+
+std::shared_ptr<const CollisionChecker> World::checker_of_obstacles(const Vehicle& vehicle,
+                                                                    const Margin& margin) const {
+  return checker_among(vehicle, margin, {});
+}
+
+std::shared_ptr<const CollisionChecker> World::checker_among(const Vehicle& vehicle,
+                                                             const Margin& margin,
+                                                             std::span<const Zone> zones) const {
   check_vehicle(vehicle);
   base::require(margin.wanted >= 0.0, "margin", margin.wanted, "a number >= 0 [m]");
   if (!margin.ramps.empty()) {
-    return std::make_shared<const CollisionChecker>(vehicle, ground_, margin);
+    return std::make_shared<const CollisionChecker>(vehicle, ground_, margin, zones);
   }
   const auto found = std::static_pointer_cast<const VehicleChecker>(derived_->find_or_make(
       typeid(VehicleChecker),
       [&](const void* made) {
         const auto& known = *static_cast<const VehicleChecker*>(made);
-        return same_lengths(known.vehicle, vehicle) && known.margin == margin.wanted;
+        return same_lengths(known.vehicle, vehicle) && known.margin == margin.wanted &&
+               known.has_zones == !zones.empty();
       },
       [&] {
         return std::shared_ptr<const VehicleChecker>(
-            new VehicleChecker{vehicle, margin.wanted, CollisionChecker(vehicle, ground_, margin)});
+            new VehicleChecker{vehicle, margin.wanted, !zones.empty(),
+                               CollisionChecker(vehicle, ground_, margin, zones)});
       }));
   return {found, &found->checker};
 }
@@ -159,7 +180,9 @@ Surroundings surroundings(const Scenario& scenario) {
           .obstacles = scenario.obstacles,
           .kerbs = scenario.kerbs,
           .map = scenario.map,
-          .inside = scenario.inside};
+          .inside = scenario.inside,
+          .zones = scenario.zones,
+          .masks = scenario.masks};
 }
 
 Problem make_problem(const Scenario& scenario) {

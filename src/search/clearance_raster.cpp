@@ -21,7 +21,8 @@ ClearanceRaster::ClearanceRaster(const Task& task, const Bounds& box, double mos
     : ground_(&task.world->local()),
       map_(ground_->map ? task.checker.get() : nullptr),
       margin_(task.least_margin),
-      is_trusted_(ground_->kerbs.empty() && task.vehicle.outline.empty()) {
+      is_trusted_(ground_->kerbs.empty() && ground_->zones.empty() &&
+                  task.vehicle.outline.empty()) {
   const Footprint body = footprint(task.vehicle);
   const double reach = std::hypot((body.front + body.rear) / 2, body.half_width);
   middle_ = static_cast<float>((body.front - body.rear) / 2);
@@ -82,16 +83,21 @@ bool ClearanceRaster::step() {
   return polygon_ < obstacles.size();
 }
 
-/// Distance from the centre of a cell [m]. A map is looked up on demand: most cells are never asked
-/// for, and looking all up takes long.
-float ClearanceRaster::distance_of(const RasterCell& at) noexcept {
-  const std::size_t cell = index_of(at);
-  float& distance = distances_[cell];
-  if (map_ == nullptr || is_asked_[cell]) return distance;
-  is_asked_[cell] = true;
-  const Local<Point> centre(raster_.centre_of(at));
+/// Looks up the distance of a cell from what a map blocks. That is done on demand: most cells are
+/// never asked for, and looking all up takes long.
+void ClearanceRaster::ask_map(RasterCell cell) noexcept {
+  const std::size_t index = index_of(cell);
+  if (is_asked_[index]) return;
+  is_asked_[index] = true;
+  const Local<Point> centre(raster_.centre_of(cell));
+  float& distance = distances_[index];
   distance = std::min(distance, static_cast<float>(map_->map_distance(centre).most));
-  return distance;
+}
+
+/// Distance from the centre of a cell [m].
+float ClearanceRaster::distance_of(RasterCell cell) noexcept {
+  if (map_ != nullptr) ask_map(cell);
+  return distances_[index_of(cell)];
 }
 
 float ClearanceRaster::distance(float x, float y) noexcept {

@@ -27,7 +27,8 @@ class ClearanceRaster {
   /// Clearance at a pose with this cosine and sine of the heading [m]; negative if bodies overlap.
   /// Requires that `step` is finished. Map cells are looked up when first asked for.
   [[nodiscard]] float clearance(float x, float y, float cos, float sin) noexcept;
-  /// Whether a pose with enough clearance is free: there are no kerbs and the body is a rectangle.
+  /// Whether a pose with enough clearance is free: there are no kerbs and zones, and the body is a
+  /// rectangle.
   [[nodiscard]] bool is_trusted() const noexcept { return is_trusted_; }
   /// Approximate error of the clearance [m].
   [[nodiscard]] float fineness() const noexcept { return static_cast<float>(raster_.side) / 4; }
@@ -39,10 +40,11 @@ class ClearanceRaster {
   };
 
   std::int64_t mark(const Point& a, const Point& b);
-  [[nodiscard]] std::size_t index_of(const RasterCell& cell) const noexcept {
+  [[nodiscard]] std::size_t index_of(RasterCell cell) const noexcept {
     return static_cast<std::size_t>(cell.y * columns_ + cell.x);
   }
-  [[nodiscard]] float distance_of(const RasterCell& cell) noexcept;
+  [[nodiscard]] float distance_of(RasterCell cell) noexcept;
+  void ask_map(RasterCell cell) noexcept;
   [[nodiscard]] float distance(float x, float y) noexcept;
 
   const Surroundings* ground_;

@@ -268,14 +268,14 @@ double Connector::cost(const Piece& piece, const DrivenBeside& beside) const {
 bool Connector::is_free(const LocalState& from, const Piece& piece) {
   ++checks_;
   checking_.start();
-  const bool free = checker_.is_free(from, piece.view());
+  const bool free = checker_.is_free(from, piece.view(), rule_.in_time);
   checking_.stop();
   return free;
 }
 
 bool Connector::is_free(const LocalState& from, const Segment& segment) {
   ++checks_;
-  return checker_.is_free(from, segment);
+  return checker_.is_free(from, segment, rule_.in_time);
 }
 
 Piece Connector::free_prefix(const LocalState& from, const Piece& piece) {

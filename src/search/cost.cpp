@@ -213,13 +213,14 @@ CostRule restricted(CostRule rule, AllowedGears gears) {
 
 CostRule length_rule(const CostRule& rule) {
   const auto weight = [&](GearSign gear) { return rule.allows(gear) ? 1.0 : rule.weight(gear); };
-  return {.forward_weight = weight(1), .reverse_weight = weight(-1)};
+  return {.forward_weight = weight(1), .reverse_weight = weight(-1), .in_time = rule.in_time};
 }
 
 CostRule reversed(const CostRule& rule, GearSign before) {
   CostRule result = rule;
   std::swap(result.forward_weight, result.reverse_weight);
   result.initial_gear = before;
+  result.in_time = rule.in_time == InTime::onward ? InTime::backward : InTime::onward;
   return result;
 }
 

@@ -75,8 +75,8 @@ PoseBoxes::PoseBoxes(const Task& task, double side, double longest, GearSign onl
       std::min(task.vehicle.track_width.value_or(task.vehicle.width), task.vehicle.width);
   if (task.vehicle.outline.empty() && task.vehicle.wheelbase > 2.1 * ahead_ &&
       track > 2.1 * across) {
-    core_ =
-        task.world->checker(core_of(task.vehicle, ahead_, across), {.wanted = task.least_margin});
+    core_ = task.world->checker_of_obstacles(core_of(task.vehicle, ahead_, across),
+                                             {.wanted = task.least_margin});
   }
 
   const OpenRows lattice(task, box_, part, near);

@@ -574,7 +574,8 @@ TEST_F(ReadResults, MistakesInLongListsNameTheElement) {
 
 TEST_F(ReadResults, WhatIsInTheWayIsKept) {
   for (const Hit& hit : {Hit{HitKind::obstacle, 3}, Hit{HitKind::kerb, 1}, Hit{HitKind::bounds},
-                         Hit{HitKind::inside, 2}, Hit{HitKind::map, 0, Point{1.25, -0.1}}}) {
+                         Hit{HitKind::inside, 2}, Hit{HitKind::zone, 1}, Hit{HitKind::mask, 0},
+                         Hit{HitKind::map, 0, Point{1.25, -0.1}}}) {
     ResultRecord record;
     record.result.status = PlanStatus::goal_in_collision;
     record.result.hit = hit;
@@ -584,7 +585,8 @@ TEST_F(ReadResults, WhatIsInTheWayIsKept) {
   EXPECT_EQ(message_for(R"({"format": "vandplan-result/1", "status": "goal_in_collision",
 "hit": {"what": "walls"}})",
                         yard_file()),
-            "r.json:2: hit.what: is \"walls\", expected obstacles, kerbs, map, bounds or inside");
+            "r.json:2: hit.what: is \"walls\", expected obstacles, kerbs, map, bounds, inside, "
+            "zones or masks");
   EXPECT_THROW((void)results_to_json(yard_file(), {}), InputError);
 }
 

@@ -61,6 +61,7 @@ void expect_equal(const ScenarioFile& one, const ScenarioFile& other) {
   EXPECT_EQ(a.goal, b.goal);
   EXPECT_EQ(a.curvatures, b.curvatures);
   EXPECT_EQ(a.obstacles, b.obstacles);
+  EXPECT_EQ(a.zones, b.zones);
   EXPECT_EQ(a.moving, b.moving);
   EXPECT_EQ(one.options, other.options);
   ASSERT_EQ(one.row.size(), other.row.size());
@@ -119,6 +120,46 @@ class ScenarioWithMap : public testing::Test {
       "start: {x: 0, y: 0, heading: 0}\ngoal: {x: 5, y: 5, heading: 0}\n";
   TemporaryFolder folder_;
 };
+
+TEST_F(ScenarioWithMap, ZonesAndMasksAreReadAndWritten) {
+  const Scenario scenario = read(
+      "bounds: {x: [-50, 50], y: [-40, 40]}\nobstacles: []\nzones:\n"
+      "  - {name: a \"lawn\", area: [[1, 2], [3, 2], [3, 4]], closed: true, body: true}\n"
+      "  - {area: [[1, 2], [3, 2], [3, 4]], gears: reverse, direction: [0.5, 1.1]}\n"
+      "masks:\n  - {map: map.yaml, as: obstacles}\n");
+  const Polygon area{{1, 2}, {3, 2}, {3, 4}};
+  ASSERT_EQ(scenario.zones.size(), 2U);
+  EXPECT_EQ(scenario.zones[0],
+            (Zone{.name = "a \"lawn\"", .area = area, .closed = true, .body = true}));
+  EXPECT_EQ(
+      scenario.zones[1],
+      (Zone{.area = area, .gears = AllowedGears::reverse, .direction = HeadingRange{0.5, 1.1}}));
+  ASSERT_EQ(scenario.masks.size(), 1U);
+  EXPECT_EQ(scenario.masks[0].map_file, "map.yaml");
+  EXPECT_EQ(scenario.masks[0].map.columns, 4);
+  const Scenario again = read_scenario(folder_.put("again.yaml", to_yaml(scenario)));
+  EXPECT_EQ(again.zones, scenario.zones);
+  ASSERT_EQ(again.masks.size(), 1U);
+  EXPECT_EQ(*again.masks[0].map.cells, *scenario.masks[0].map.cells);
+}
+
+TEST_F(ScenarioWithMap, FaultsOfZonesAndMasksNameTheirLine) {
+  const auto fault = [&](const std::string& zones) { return message("map: map.yaml\n" + zones); };
+  EXPECT_EQ(fault("zones:\n  - {area: [[0, 0], [1, 0], [1, 1]]}\n"),
+            "s.yaml:7: zones[0]: has no rule, expected closed, gears or direction");
+  EXPECT_EQ(fault("zones:\n  - {area: [[0, 0], [1, 0], [1, 1]], gears: fast}\n"),
+            "s.yaml:7: zones[0].gears: is \"fast\", expected both, forward or reverse");
+  EXPECT_EQ(fault("zones:\n  - {area: [[0, 0], [1, 0], [1, 1]], closed: 1}\n"),
+            "s.yaml:7: zones[0].closed: is \"1\", expected true or false");
+  EXPECT_EQ(fault("zones:\n  - {area: [[0, 0], [1, 0]], closed: true}\n"),
+            "s.yaml:7: zones[0].area: has 2 corners, expected at least 3");
+  EXPECT_EQ(fault("zones:\n  - {closed: true}\n"),
+            "s.yaml:7: zones[0]: key \"area\" is missing, expected it");
+  EXPECT_EQ(fault("masks:\n  - {map: map.yaml, as: walls}\n"),
+            "s.yaml:7: masks[0].as: is \"walls\", expected obstacles");
+  EXPECT_EQ(fault("masks:\n  - {map: none.yaml, as: obstacles}\n").substr(0, 24),
+            "s.yaml:7: masks[0].map: ");
+}
 
 TEST_F(ScenarioWithMap, TheMapLiesBesideTheScenario) {
   const Scenario scenario = read("map: map.yaml\n");
@@ -354,7 +395,8 @@ std::vector<BadFile> bad_files() {
              "max_lateral_acceleration, max_jerk, hitch, max_hitch_angle, trailers, outline"),
       spoilt("name: yard", "title: yard",
              "1: unknown key \"title\", expected one of name, description, vehicle, bounds, start, "
-             "goal, goals, obstacles, kerbs, inside, map, unknown, moving, options, origin"),
+             "goal, goals, obstacles, kerbs, inside, zones, map, unknown, masks, moving, options, "
+             "origin"),
       spoilt("name: yard\n", "", "1: key \"name\" is missing, expected it"),
       spoilt("width: 2.55, ", "", "3: vehicle: key \"width\" is missing, expected it"),
       spoilt("  y: 5.25   # metres\n", "", "7: goal: key \"y\" is missing, expected it"),
@@ -363,7 +405,8 @@ std::vector<BadFile> bad_files() {
       spoilt("goal:", "gaol:",
              "6: unknown key \"gaol\", did you mean goal? Expected one of name, description, "
              "vehicle, bounds, start, "
-             "goal, goals, obstacles, kerbs, inside, map, unknown, moving, options, origin"),
+             "goal, goals, obstacles, kerbs, inside, zones, map, unknown, masks, moving, options, "
+             "origin"),
       spoilt("heading: .5", "y: 6",
              "9: key \"y\" is given again, expected it once (first on line 8)"),
       spoilt("start:", "map: yard.yaml\nstart:",

@@ -198,7 +198,7 @@ bool RigSearch::expand(std::size_t which) {
       if (cell.node >= 0) continue;
       const Node& parent = side.nodes[static_cast<std::size_t>(node.parent)];
       Driven driven = parent.driven;
-      if (!is_free(parent.state, wheels_.obey(node.command, driven).view())) continue;
+      if (!is_free(side, parent.state, wheels_.obey(node.command, driven).view())) continue;
       side.nodes[static_cast<std::size_t>(id)].is_reached = true;
       cell.node = id;
     }
@@ -342,7 +342,7 @@ void RigSearch::bridge(std::size_t which, std::int32_t id) {
   if (!is_in_sight(begin.pose, end.pose) && ++out_of_sight_ % 2 != 0) return;
   const auto piece = steering_->steer_quickly(begin, end);
   if (!piece || !search::may_drive(sides_[0].rule, piece->view())) return;
-  if (is_free(begin, piece->view())) join(from, to, piece->view());
+  if (is_free(sides_[0], begin, piece->view())) join(from, to, piece->view());
 }
 
 void RigSearch::join(std::int32_t forward, std::int32_t backward,
@@ -356,9 +356,9 @@ void RigSearch::join(std::int32_t forward, std::int32_t backward,
   found_ = exact_.along(segments);
 }
 
-bool RigSearch::is_free(const State& from, std::span<const Segment> segments) {
+bool RigSearch::is_free(const Side& side, const State& from, std::span<const Segment> segments) {
   checks_ += static_cast<std::int64_t>(segments.size());
-  return task_.checker->is_free(Local(from), segments);
+  return task_.checker->is_free(Local(from), segments, side.rule.in_time);
 }
 
 std::optional<std::vector<Command>> RigSearch::take_found() {

@@ -143,7 +143,8 @@ class RigSearch {
   [[nodiscard]] bool is_in_sight(const Pose& from, const Pose& to);
   void bridge(std::size_t which, std::int32_t id);
   void join(std::int32_t forward, std::int32_t backward, std::span<const Segment> between = {});
-  [[nodiscard]] bool is_free(const State& from, std::span<const Segment> segments);
+  [[nodiscard]] bool is_free(const Side& side, const State& from,
+                             std::span<const Segment> segments);
 
   const Task& task_;
   Wheels wheels_;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Which rule of which zone does a path break, in the eyes of the judge?
+//
+// Method: docs/algorithms/path_check.md, "Zones".
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "judge/track.h"
+#include "judge/trailing.h"
+#include "vandplan/collision.h"
+#include "vandplan/judge.h"
+#include "vandplan/vehicle.h"
+
+namespace vandplan::judge {
+
+/// Rule of a zone that is broken, and the first place where it is.
+struct BrokenRule {
+  std::string reason;
+  Place place;
+  Hit hit;
+};
+
+/// First rule that a path breaks, in the order of the zones. `trailing` is null without a trailer.
+/// The judge looks wherever what the rule is about has moved by a millimetre, unless it is proven
+/// to be outside of the area. A direction of travel may be off by 1e-6 rad.
+[[nodiscard]] std::optional<BrokenRule> broken_rule(const std::vector<Zone>& zones,
+                                                    const Vehicle& vehicle, const Track& track,
+                                                    const Trailing* trailing);
+
+}  // namespace vandplan::judge

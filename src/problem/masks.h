@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Which obstacles stand for the cells of a mask?
+
+#include <vector>
+
+#include "vandplan/collision.h"
+
+namespace vandplan::problem {
+
+/// Masks moved from the scenario's frame into the frame of `origin`. Throws InputError naming
+/// "masks[1].map".
+[[nodiscard]] std::vector<Mask> local_masks(const std::vector<Mask>& masks, const Point& origin);
+
+/// Rectangles that cover the occupied cells of a map, and nothing else, in the map's frame.
+[[nodiscard]] std::vector<Polygon> rectangles_over(const OccupancyGrid& map);
+
+}  // namespace vandplan::problem

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// Rules of zones, and masks, in the eyes of planners and of the judge.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "problem/masks.h"
+#include "support/cases.h"
+#include "support/grids.h"
+#include "support/place_of_error.h"
+#include "support/problems.h"
+#include "vandplan/judge.h"
+#include "vandplan/planner.h"
+
+namespace vandplan {
+namespace {
+
+using std::numbers::pi;
+
+Scenario with_zones(const Pose& start, const Pose& goal, std::vector<Zone> zones) {
+  return {.name = "zones",
+          .bounds = {-40, 80, -40, 40},
+          .start = start,
+          .goal = goal,
+          .zones = std::move(zones)};
+}
+
+PlanOptions of_iterations(std::int64_t iterations) {
+  PlanOptions options;
+  options.budget.max_iterations = is_sanitized ? iterations / 20 : iterations;
+  return options;
+}
+
+/// Whether a point of the path is in the area, more than a millimetre from its edge, in that gear.
+bool drives_through(const Path& path, const Bounds& area, Gear gear) {
+  for (const PathPoint& point : sampled(path, 0.01)) {
+    const auto& [x, y, heading] = point.pose;
+    const bool is_in = x > area.x_min + 1e-3 && x < area.x_max - 1e-3 && y > area.y_min + 1e-3 &&
+                       y < area.y_max - 1e-3;
+    if (is_in && point.gear == gear) return true;
+  }
+  return false;
+}
+
+TEST(Zones, PathsGoAroundClosedOnes) {
+  const Zone closed{.name = "lawn", .area = box(15, -5, 25, 8), .closed = true};
+  const Problem problem = make_problem(with_zones({0, 0, 0}, {40, 0, 0}, {closed}));
+  const PlanResult result = plan(problem, of_iterations(3000));
+  if (is_sanitized && !result.path) return;
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  EXPECT_GT(result.path->segments.size(), 1U);
+  EXPECT_FALSE(drives_through(*result.path, {15, 25, -5, 8}, Gear::forward));
+  EXPECT_LT(result.cost, 46);
+}
+
+TEST(Zones, PathsKeepToTheGearsOfOnes) {
+  // The shortest way to a goal that points back is in reverse.
+  for (const AllowedGears gears : {AllowedGears::forward, AllowedGears::reverse}) {
+    const bool is_forward = gears == AllowedGears::forward;
+    const Zone ramp{.area = box(5, -30, 15, 30), .gears = gears};
+    const double heading = is_forward ? pi : 0;
+    const Problem problem = make_problem(with_zones({0, 0, heading}, {25, 0, heading}, {ramp}));
+    const PlanResult result = plan(problem, of_iterations(4000));
+    if (is_sanitized && !result.path) return;
+    ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+    EXPECT_FALSE(
+        drives_through(*result.path, {5, 15, -30, 30}, is_forward ? Gear::reverse : Gear::forward));
+    EXPECT_TRUE(
+        drives_through(*result.path, {5, 15, -30, 30}, is_forward ? Gear::forward : Gear::reverse));
+  }
+}
+
+TEST(Zones, OneWayStreetsAreLeftByTheOtherWay) {
+  // Two lanes through a wall; one leads to the east, the other one to the west.
+  Scenario scenario =
+      with_zones({0, 0, 0}, {40, 0, 0},
+                 {{.area = box(16, -9, 24, 0), .direction = HeadingRange{pi - 0.6, pi + 0.6}},
+                  {.area = box(16, 0, 24, 9), .direction = HeadingRange{-0.6, 0.6}}});
+  scenario.obstacles = {box(16, 9, 24, 40), box(16, -40, 24, -9)};
+  for (const bool is_back : {false, true}) {
+    if (is_back) {
+      std::swap(scenario.start, scenario.goal);
+      scenario.start.heading = scenario.goal.heading = pi;
+    }
+    const PlanResult result = plan(make_problem(scenario), of_iterations(4000));
+    if (is_sanitized && !result.path) return;
+    ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+    for (const PathPoint& point : sampled(*result.path, 0.05)) {
+      if (point.pose.x < 16 || point.pose.x > 24) continue;
+      EXPECT_TRUE(is_back ? point.pose.y < 1e-3 : point.pose.y > -1e-3) << point.pose.y;
+    }
+  }
+}
+
+TEST(Zones, TheJudgeRefusesWhatBreaksARuleByAMillimetre) {
+  const auto check = [](const Zone& zone, const Path& path) {
+    return check_path(make_problem(with_zones(path.start, end_pose(path), {zone})), path);
+  };
+  const Zone closed{.name = "lawn", .area = box(10, -5, 20, 5), .closed = true};
+  EXPECT_TRUE(check(closed, {{0, 0, 0}, {{0, 9.9999}}}).valid);
+  const PathCheck in = check(closed, {{0, 0, 0}, {{0, 10.001}}});
+  EXPECT_EQ(in.reason, "the rear axle is in zones[0] (lawn), which is closed");
+  EXPECT_EQ(in.hit, (Hit{HitKind::zone, 0}));
+  // A corner of a millimetre is cut.
+  EXPECT_FALSE(
+      check({.area = {{10, -1e-3}, {11, -3}, {9, -3}}, .closed = true}, {{0, -2e-3, 0}, {{0, 20}}})
+          .valid);
+  const Zone one_gear{.area = box(10, -5, 20, 5), .gears = AllowedGears::forward};
+  EXPECT_TRUE(check(one_gear, {{0, 0, 0}, {{0, 30}}}).valid);
+  EXPECT_TRUE(check(one_gear, {{0, 0, pi}, {{0, -9.9999}, {0, 5}}}).valid);
+  EXPECT_EQ(check(one_gear, {{0, 0, pi}, {{0, -10.001}, {0, 5}}}).reason,
+            "the rear axle is in zones[0], where the gears are: forward");
+  const Zone street{.area = box(10, -5, 20, 5), .direction = HeadingRange{-0.5, 0.5}};
+  EXPECT_TRUE(check(street, {{0, 0, 0}, {{0, 30}}}).valid);
+  EXPECT_TRUE(check(street, {{30, 0, pi}, {{0, -30}}}).valid);
+  EXPECT_EQ(check(street, {{30, 0, pi}, {{0, 30}}}).reason,
+            "the rear axle is in zones[0], where the direction of travel is -0.5 to 0.5 rad");
+  EXPECT_TRUE(check(street, {{10, 0, 0}, {{0.1, 5}}}).valid);
+  EXPECT_FALSE(check(street, {{10, 0, 0}, {{0.1, 5.001}}}).valid);
+  // The wheels turn on the way.
+  EXPECT_TRUE(check(street, {{10, 0, 0}, {{0, 5, 0.04}}}).valid);
+  EXPECT_FALSE(check(street, {{10, 0, 0}, {{0, 5.001, 0.04}}}).valid);
+}
+
+TEST(Zones, OfTheBodyHoldForTheTrailerToo) {
+  Scenario scenario = with_zones({0, 0, 0}, {10, 0, 0},
+                                 {{.area = box(-9, -1, -8, 1), .closed = true, .body = true}});
+  scenario.vehicle = semitrailer();
+  const PathCheck check = check_path(make_problem(scenario), {{0, 0, 0}, {{0, 10}}});
+  EXPECT_EQ(check.reason, "the trailer is in zones[0], which is closed");
+  scenario.zones[0].body = false;
+  EXPECT_TRUE(check_path(make_problem(scenario), {{0, 0, 0}, {{0, 10}}}).valid);
+}
+
+TEST(Zones, AStartInAClosedOneIsInCollision) {
+  const Zone closed{.name = "lawn", .area = box(-1, -1, 1, 1), .closed = true};
+  const PlanResult result =
+      plan(make_problem(with_zones({0, 0, 0}, {40, 0, 0}, {closed})), of_iterations(10));
+  EXPECT_EQ(result.status, PlanStatus::start_in_collision);
+  EXPECT_EQ(result.reason, "the rear axle is in zones[0] (lawn), which is closed");
+  EXPECT_EQ(result.hit, (Hit{HitKind::zone, 0}));
+  const PlanResult back =
+      plan(make_problem(with_zones({40, 0, 0}, {0, 0, 0}, {closed})), of_iterations(10));
+  EXPECT_EQ(back.status, PlanStatus::goal_in_collision);
+}
+
+TEST(Zones, AreChecked) {
+  const auto fault = [](Zone zone) {
+    return place_of_error([&] {
+      check_scenario(
+          with_zones({}, {9, 0, 0}, {{.area = box(0, 0, 1, 1), .closed = true}, std::move(zone)}));
+    });
+  };
+  EXPECT_EQ(fault({.area = box(0, 0, 1, 1), .closed = true}), "nothing");
+  EXPECT_EQ(fault({.area = box(0, 0, 1, 1)}), "zones[1]");
+  EXPECT_EQ(fault({.area = {{0, 0}, {1, 1}}, .closed = true}), "zones[1].area");
+  EXPECT_EQ(fault({.area = box(0, 0, 1, 1), .direction = HeadingRange{0, 7}}),
+            "zones[1].direction");
+  EXPECT_EQ(fault({.area = box(0, 0, 1, 1), .direction = HeadingRange{0, std::nan("")}}),
+            "zones[1].direction");
+}
+
+TEST(Masks, AreCoveredByRectangles) {
+  for_each_case(5, 200, [](Rng& rng) {
+    OccupancyGrid map = random_grid(9, 7, uniform(0.1, 0.9, rng), rng);
+    map.origin = {0, 0, 0};
+    map.resolution = 1;
+    const std::vector<Polygon> rectangles = problem::rectangles_over(map);
+    for (std::int32_t row = 0; row < map.rows; ++row) {
+      for (std::int32_t column = 0; column < map.columns; ++column) {
+        const auto at = static_cast<std::size_t>(row * map.columns + column);
+        int count = 0;
+        for (const Polygon& rectangle : rectangles) {
+          count += contains(rectangle, Point{column + 0.5, row + 0.5}) ? 1 : 0;
+        }
+        EXPECT_EQ(count, (*map.cells)[at] == Cell::occupied ? 1 : 0) << column << " " << row;
+      }
+    }
+  });
+}
+
+TEST(Masks, AreObstacles) {
+  Scenario scenario = with_zones({0, 0, 0}, {40, 0, 0}, {});
+  OccupancyGrid map = grid_of({"?.#", "..#", "..."}, 2.0, {16, -3, 0});
+  scenario.masks = {{"keepout.yaml", map}};
+  scenario.obstacles = {box(-30, -30, -20, -20)};
+  const Problem problem = make_problem(scenario);
+  EXPECT_EQ(problem.world()->fences(), 1U);
+  const PathCheck check = check_path(problem, {{0, 0, 0}, {{0, 40}}});
+  EXPECT_EQ(check.reason, "the footprint hits masks[0]");
+  EXPECT_EQ(check.hit, (Hit{HitKind::mask, 0}));
+  const PlanResult result = plan(problem, of_iterations(2000));
+  if (is_sanitized && !result.path) return;
+  EXPECT_EQ(result.status, PlanStatus::solved) << result.reason;
+  scenario.start = {-25, -25, 0};
+  EXPECT_EQ(plan(make_problem(scenario), of_iterations(10)).hit, (Hit{HitKind::obstacle, 0}));
+}
+
+}  // namespace
+}  // namespace vandplan
