@@ -35,6 +35,7 @@ struct Zone {
   /// Directions of travel that are allowed: headings of the vehicle, turned by half a turn in
   /// reverse. None: any direction.
   std::optional<HeadingRange> direction = {};
+  double cost = 1.0;  ///< how many times as much a metre costs there; 1 to 1000
   /// Whether the rules hold while any part of the vehicle or its trailer is in the area.
   bool body = false;
   bool operator==(const Zone&) const = default;
@@ -60,6 +61,12 @@ struct Surroundings {
   std::vector<Polygon> inside = {};
   std::vector<Zone> zones = {};  ///< ground with rules of its own
   std::vector<Mask> masks = {};  ///< further maps; a world has obstacles in their place
+};
+
+/// Part of a segment on which the same zones hold.
+struct GroundPart {
+  double begin = 0.0, end = 0.0;  ///< driven distances from the start of the segment [m]
+  double cost = 1.0;              ///< how many times as much a metre costs
 };
 
 /// Order in which segments are driven in time.
@@ -139,6 +146,14 @@ class CollisionChecker {
   /// `is_free` of segments, one after the other.
   [[nodiscard]] bool is_free(const LocalState& from, std::span<const Segment> segments,
                              InTime in_time = InTime::onward) const noexcept;
+
+  /// Whether a zone has a price.
+  [[nodiscard]] bool has_prices() const noexcept;
+  /// The parts of a segment from `from`, from its begin to its end, with what zones say there. The
+  /// places where the rear axle enters and leaves an area are exact but for rounding. For a whole
+  /// body they are off by at most a millimetre.
+  [[nodiscard]] std::vector<GroundPart> ground_along(const LocalState& from,
+                                                     const Segment& segment) const;
 
   /// `is_free` of the tractor alone, as if it pulled no trailer and there were no zones.
   [[nodiscard]] bool tractor_is_free(const LocalPose& from,

@@ -101,13 +101,16 @@ struct CostRule {
   /// 1 - clearance / clearance_distance) times as much.
   double clearance_weight = 0.0;
   double clearance_distance = 1.0;  ///< distance that is near [m]; > 0
+  bool has_priced_ground = false;   ///< whether metres cost more in some zones
   InTime in_time = InTime::onward;  ///< order in which segments are driven: backward from the goal
 
   [[nodiscard]] bool is_length() const {
     return forward_weight == 1.0 && reverse_weight == 1.0 && gear_change_cost == 0.0 &&
-           curvature_change_cost == 0.0 && clearance_weight == 0.0;
+           curvature_change_cost == 0.0 && !has_surcharge();
   }
-  /// Cost of a metre in a gear [m], without the surcharge near obstacles.
+  /// Whether metres may cost more near obstacles or in zones.
+  [[nodiscard]] bool has_surcharge() const { return clearance_weight != 0.0 || has_priced_ground; }
+  /// Cost of a metre in a gear [m], without surcharges.
   [[nodiscard]] double weight(GearSign gear) const {
     return gear > 0 ? forward_weight : reverse_weight;
   }
@@ -136,8 +139,10 @@ struct Driven {
   double curvature;  ///< curvature [1/m]; `any`: turning the wheels is free
 };
 
-/// The rule of complete options. A price that is not set counts as in `shortest_style`.
+/// The rule of complete options. A price that is not set counts as in `shortest_style`. Without a
+/// task zones have no prices.
 [[nodiscard]] CostRule cost_rule(const CostOptions& options);
+[[nodiscard]] CostRule cost_rule(const CostOptions& options, const Task& task);
 
 /// The rule with an infinite weight for each gear that is not allowed.
 [[nodiscard]] CostRule restricted(CostRule rule, AllowedGears gears);
@@ -181,7 +186,8 @@ enum class ClearanceSampling {
 };
 using Looks [[deprecated("use ClearanceSampling")]] = ClearanceSampling;
 
-/// Surcharge near obstacles for driving the segments from a state, with the trailer [m]. Above
+/// Surcharge near obstacles and in zones for driving the segments from a state, with the trailer
+/// [m]. The price of a zone multiplies the whole cost of a metre, that of closeness included. Above
 /// `cutoff` [m] any larger number may come back. Method: docs/algorithms/anytime.md.
 [[nodiscard]] double clearance_cost(const Task& task, const CostRule& rule, const LocalState& from,
                                     std::span<const Segment> segments, ClearanceSampling sampling,
@@ -256,14 +262,14 @@ class Connector {
   /// next piece is included, if there is one.
   [[nodiscard]] double cost(const Piece& piece, const DrivenBeside& beside = {}) const;
 
-  /// Surcharge near obstacles for the segments from a state [m]; above `cutoff` any larger number.
+  /// Surcharge near obstacles and in zones for the segments from a state [m]; above `cutoff` any
+  /// larger number.
   [[nodiscard]] double clearance_cost(
       const LocalState& from, std::span<const Segment> segments,
       double cutoff = std::numeric_limits<double>::infinity()) const {
-    return rule_.clearance_weight == 0.0
-               ? 0.0
-               : search::clearance_cost(task_, rule_, from, segments, ClearanceSampling::search,
-                                        cutoff);
+    return !rule_.has_surcharge() ? 0.0
+                                  : search::clearance_cost(task_, rule_, from, segments,
+                                                           ClearanceSampling::search, cutoff);
   }
 
   /// Whether the vehicle is free on the whole piece, on the segment, or in the state. The rule says

@@ -159,15 +159,14 @@ struct CollisionChecker::Data {
        std::span<const Zone> all_zones)
       : Data(shape_of(vehicle), wheel_footprint(vehicle), kept, std::move(on)) {
     if (vehicle.trailer) towed.emplace(vehicle, kept.wanted);
-    zones.emplace(vehicle, all_zones);
-    if (zones->is_empty()) zones.reset();
+    if (!all_zones.empty()) zones.emplace(vehicle, all_zones);
   }
 
   Body body;
   Margin margin;
   std::shared_ptr<const collision::Ground> ground;
   std::optional<Towed> towed = {};
-  std::optional<collision::Zones> zones = {};  // Zones with rules; none if there are none.
+  std::optional<collision::Zones> zones = {};
 
   /// Whether a rear axle may begin at a place: no obstacle, kerb or blocked cell contains it, and
   /// `may_begin_at` holds.
@@ -395,6 +394,16 @@ bool CollisionChecker::is_free(const LocalState& from, std::span<const Segment> 
   return data_->is_tractor_free(from.pose, segments) &&
          (!data_->towed || data_->is_trailer_free(from, segments)) &&
          (!data_->zones || data_->zones->allow(from, segments, in_time));
+}
+
+bool CollisionChecker::has_prices() const noexcept {
+  return data_->zones && data_->zones->have_prices();
+}
+
+std::vector<GroundPart> CollisionChecker::ground_along(const LocalState& from,
+                                                       const Segment& segment) const {
+  if (!data_->zones) return {{0.0, std::abs(segment.length)}};
+  return data_->zones->along(from, segment);
 }
 
 bool CollisionChecker::tractor_is_free(const LocalPose& from,

@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <memory>
 #include <numbers>
+
+#include "collision/travel.h"
 
 namespace vandplan::collision {
 namespace {
@@ -12,24 +16,30 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double direction_slack = 1e-9;  // by which a direction of travel may be off [rad]
 constexpr double speck = 1e-4;            // half the side of what stands for the axle [m]
+constexpr double on_side = 1e-9;          // relative slack at the ends of a side
+constexpr int halvings = 60;              // that find where the axle crosses a side
+// Where a body enters or leaves is known to `finest`. A body that touches an area twice within
+// `surely` touches it in between [m].
+constexpr double finest = 1e-4;
+constexpr double surely = 0.1;
 // Bounds beyond all worlds. They are finite, since checks subtract them.
 constexpr Bounds everywhere{-1e8, 1e8, -1e8, 1e8};
 
-bool has_rule(const Zone& zone) {
+bool is_restricted(const Zone& zone) {
   return zone.closed || zone.gears != AllowedGears::both || zone.direction;
 }
 
-double reach_of(const Footprint& body) {
+double furthest_of(const Footprint& body) {
   return std::hypot(std::max(body.rear, body.front), body.half_width);
 }
 
 /// Largest distance of a point of the vehicle or its trailer from the rear axle [m].
-double reach_of(const Vehicle& vehicle) {
-  const double of_vehicle = reach_of(footprint(vehicle));
+double furthest_of(const Vehicle& vehicle) {
+  const double of_vehicle = furthest_of(footprint(vehicle));
   if (!vehicle.trailer) return of_vehicle;
   const Trailer& trailer = *vehicle.trailer;
   return std::max(of_vehicle,
-                  std::abs(vehicle.hitch) + trailer.wheelbase + reach_of(footprint(trailer)));
+                  std::abs(vehicle.hitch) + trailer.wheelbase + furthest_of(footprint(trailer)));
 }
 
 /// Distance of a place from a box [m].
@@ -49,43 +59,6 @@ std::unique_ptr<const CollisionChecker> keeper_of(const Vehicle& vehicle, const 
   return std::make_unique<const CollisionChecker>(
       vehicle, Surroundings{.bounds = everywhere, .obstacles = area});
 }
-
-/// Direction of travel along a segment: `first` + `curvature` s + `rate` s^2 / 2 after s metres.
-struct Travel {
-  Travel(const Pose& from, const Segment& segment, int gear)
-      : first(from.heading + (gear < 0 ? pi : 0.0)),
-        curvature(segment.length < 0 ? -segment.curvature : segment.curvature),
-        rate(segment.length < 0 ? -segment.curvature_rate : segment.curvature_rate),
-        length(std::abs(segment.length)) {}
-
-  [[nodiscard]] double at(double s) const { return first + s * (curvature + rate * s / 2); }
-
-  /// Adds the places where the direction is `angle` but for whole turns.
-  void add_places(double angle, std::vector<double>& places) const {
-    double least = std::min(first, at(length)), most = std::max(first, at(length));
-    const double vertex = rate != 0.0 ? -curvature / rate : -1.0;
-    if (vertex > 0 && vertex < length) {
-      least = std::min(least, at(vertex));
-      most = std::max(most, at(vertex));
-    }
-    for (double turns = std::ceil((least - angle) / (2 * pi)); angle + 2 * pi * turns <= most;
-         ++turns) {
-      add_roots(angle + 2 * pi * turns - first, places);
-    }
-  }
-
-  double first, curvature, rate, length;
-
- private:
-  /// Adds the places where the vehicle has turned by `turn`.
-  void add_roots(double turn, std::vector<double>& places) const {
-    const double square = std::max(0.0, curvature * curvature + 2 * rate * turn);
-    const double sum = curvature + std::copysign(std::sqrt(square), curvature);
-    for (const double s : {sum != 0.0 ? 2 * turn / sum : -1.0, rate != 0.0 ? -sum / rate : -1.0}) {
-      if (s > 0 && s < length) places.push_back(s);
-    }
-  }
-};
 
 /// Calls `breaks(begin, end)` for parts of a segment where the direction of travel is outside of a
 /// range, until it returns true. Returns whether it did.
@@ -107,20 +80,55 @@ bool any_astray(const Travel& travel, const HeadingRange& allowed, Breaks breaks
   return false;
 }
 
+/// Adds the places where the axle crosses the side from `a` to `b`.
+void add_crossings(const Pose& from, const Segment& segment, const Point& a, const Point& b,
+                   std::vector<double>& places) {
+  const Point side{b.x - a.x, b.y - a.y};
+  const double squared = side.x * side.x + side.y * side.y;
+  const Travel travel(from, segment, segment.length < 0 ? -1 : 1);
+  const auto axle_at = [&](double s) { return advance(from, part_of(segment, 0.0, s)); };
+  const auto left_of = [&](const Pose& p) { return side.x * (p.y - a.y) - side.y * (p.x - a.x); };
+  // Between places where it travels along the side, the axle crosses the side's line at most once.
+  std::vector<double> turns{0.0, travel.length};
+  const double along = std::atan2(side.y, side.x);
+  travel.add_places(along, turns);
+  travel.add_places(along + pi, turns);
+  std::sort(turns.begin(), turns.end());
+  double before = left_of(from);
+  for (std::size_t i = 1; i < turns.size(); ++i) {
+    const double after = left_of(axle_at(turns[i]));
+    if ((before < 0) != (after < 0)) {
+      double begin = turns[i - 1], end = turns[i];
+      for (int k = 0; k < halvings && end - begin > 1e-12; ++k) {
+        const double middle = begin + (end - begin) / 2;
+        ((left_of(axle_at(middle)) < 0) == (before < 0) ? begin : end) = middle;
+      }
+      const Pose there = axle_at(end);
+      const double part = (side.x * (there.x - a.x) + side.y * (there.y - a.y)) / squared;
+      if (part >= -on_side && part <= 1 + on_side) places.push_back(end);
+    }
+    before = after;
+  }
+}
+
 }  // namespace
 
-/// A zone with what is needed to check its rules.
+/// A zone with what is needed to find out where it holds.
 struct Zones::Checked {
   Checked(const Vehicle& vehicle, const Zone& of)
       : zone(of),
         keeper(keeper_of(vehicle, of)),
         box(bounding_box(of.area)),
-        reach((of.body ? reach_of(vehicle) : speck) + CollisionChecker::tolerance) {}
+        reach((of.body ? furthest_of(vehicle) : speck) + CollisionChecker::tolerance) {}
+
+  [[nodiscard]] bool is_far(const Pose& from, const Segment& segment) const {
+    return distance_from(box, from) > reach + std::abs(segment.length);
+  }
 
   /// Whether a segment may begin or lead into the area. `gear`: direction of travel in time.
   [[nodiscard]] bool allows(const Vehicle& vehicle, const LocalState& from, const Segment& segment,
                             int gear) const {
-    if (distance_from(box, from.pose) > reach + std::abs(segment.length)) return true;
+    if (!is_restricted(zone) || is_far(from.pose, segment)) return true;
     if (zone.closed) return keeper->is_free(from, segment);
     if (segment.length == 0.0) return true;
     if (zone.gears == (gear > 0 ? AllowedGears::reverse : AllowedGears::forward)) {
@@ -134,21 +142,58 @@ struct Zones::Checked {
                });
   }
 
+  /// Whether the zone holds in a state.
+  [[nodiscard]] bool holds(const LocalState& state) const {
+    return zone.body ? !keeper->is_free(state)
+                     : contains(zone.area, Point{state.pose.x, state.pose.y});
+  }
+
+  /// Adds the places where the zone begins or ceases to hold.
+  void add_changes(const Vehicle& vehicle, const LocalState& from, const Segment& segment,
+                   std::vector<double>& places) const {
+    if (zone.body) {
+      add_touches(vehicle, from, segment, 0.0, std::abs(segment.length), places);
+      return;
+    }
+    for (std::size_t i = 0; i < zone.area.size(); ++i) {
+      add_crossings(from.pose, segment, zone.area[i], zone.area[(i + 1) % zone.area.size()],
+                    places);
+    }
+  }
+
   Zone zone;
   std::unique_ptr<const CollisionChecker> keeper;
   Bounds box;
-  double reach;  // Largest distance from the rear axle of what the rules are about [m].
+  double reach;  // Largest distance from the rear axle of what the zone is about [m].
+
+ private:
+  /// Adds the ends of parts on which the body may touch the area.
+  void add_touches(const Vehicle& vehicle, const LocalState& from, const Segment& segment,
+                   double begin, double end, std::vector<double>& places) const {
+    const auto at = [&](double s) { return advance(vehicle, from, part_of(segment, 0.0, s)); };
+    const LocalState first = at(begin);
+    if (keeper->is_free(first, part_of(segment, begin, end))) return;
+    const double middle = begin + (end - begin) / 2;
+    const bool is_touching = end - begin <= surely && holds(first) && holds(at(end));
+    if (is_touching || end - begin <= finest) {
+      places.push_back(begin);
+      places.push_back(end);
+      return;
+    }
+    add_touches(vehicle, from, segment, begin, middle, places);
+    add_touches(vehicle, from, segment, middle, end, places);
+  }
 };
 
 Zones::Zones(const Vehicle& vehicle, std::span<const Zone> zones) : vehicle_(vehicle) {
-  for (const Zone& zone : zones) {
-    if (has_rule(zone)) all_.emplace_back(vehicle, zone);
-  }
+  for (const Zone& zone : zones) all_.emplace_back(vehicle, zone);
 }
 
 Zones::~Zones() = default;
 
-bool Zones::is_empty() const noexcept { return all_.empty(); }
+bool Zones::have_prices() const noexcept {
+  return std::ranges::any_of(all_, [](const Checked& each) { return each.zone.cost != 1.0; });
+}
 
 bool Zones::allow(const LocalState& from, std::span<const Segment> segments,
                   InTime in_time) const noexcept {
@@ -162,6 +207,35 @@ bool Zones::allow(const LocalState& from, std::span<const Segment> segments,
     state = advance(vehicle_, state, segment);
   }
   return true;
+}
+
+std::vector<GroundPart> Zones::along(const LocalState& from, const Segment& segment) const {
+  const double length = std::abs(segment.length);
+  std::vector<const Checked*> near;
+  std::vector<double> places{0.0, length};
+  for (const Checked& each : all_) {
+    if (each.zone.cost == 1.0 || each.is_far(from.pose, segment)) continue;
+    near.push_back(&each);
+    each.add_changes(vehicle_, from, segment, places);
+  }
+  if (near.empty()) return {{0.0, length}};
+  std::sort(places.begin(), places.end());
+  std::vector<GroundPart> parts;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    GroundPart part{places[i - 1], places[i]};
+    if (!(part.end > part.begin)) continue;
+    const double middle = part.begin + (part.end - part.begin) / 2;
+    const LocalState there = advance(vehicle_, from, part_of(segment, 0.0, middle));
+    for (const Checked* each : near) {
+      if (each->holds(there)) part.cost *= each->zone.cost;
+    }
+    if (!parts.empty() && parts.back().cost == part.cost) {
+      parts.back().end = part.end;
+    } else {
+      parts.push_back(part);
+    }
+  }
+  return parts;
 }
 
 }  // namespace vandplan::collision

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which segments break the rule of a zone?
+// Which segments break the rule of a zone, and what do zones say along a segment?
 //
-// A zone turns into an obstacle on the part of a segment that its rules forbid: on all of it if the
-// zone is closed or the gear is wrong, and where the direction of travel is outside of the range.
-// Collision checks then find out, without steps, whether the vehicle is in the area on that part.
+// Rules: a zone turns into an obstacle on the part of a segment that they forbid: on all of it if
+// the zone is closed or the gear is wrong, and where the direction of travel is outside of the
+// range. Collision checks then find out, without steps, whether the vehicle is in the area there.
 // docs/algorithms/collision.md, "Zones".
 
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -18,20 +17,23 @@
 
 namespace vandplan::collision {
 
-/// Zones that restrict where and how one vehicle drives.
+/// Zones of one vehicle.
 class Zones {
  public:
-  /// Zones without such rules are left out.
   Zones(const Vehicle& vehicle, std::span<const Zone> zones);
   ~Zones();
   Zones(const Zones&) = delete;
   Zones& operator=(const Zones&) = delete;
 
-  [[nodiscard]] bool is_empty() const noexcept;
+  /// Whether a zone has a price.
+  [[nodiscard]] bool have_prices() const noexcept;
 
-  /// Whether the segments, one after the other, break no rule. At least one is given.
+  /// Whether the segments, one after the other, break no rule.
   [[nodiscard]] bool allow(const LocalState& from, std::span<const Segment> segments,
                            InTime in_time) const noexcept;
+
+  /// What zones say along a segment.
+  [[nodiscard]] std::vector<GroundPart> along(const LocalState& from, const Segment& segment) const;
 
  private:
   struct Checked;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/document.h"
-#include "vandplan/collision.h"
+#include "vandplan/problem.h"
 
 namespace vandplan::io {
 

@@ -34,7 +34,7 @@ std::optional<std::string> false_figures(const Track& track, const PathClaims& c
   return std::nullopt;
 }
 
-double cost_of(const Track& track, double near, const CostOptions& stated) {
+double cost_of(const Track& track, double surcharge, const CostOptions& stated) {
   const CostOptions rule = filled(stated, shortest_style);
   int changes = track.gear_changes;
   const Real first = track.stretches[0].direction;
@@ -43,7 +43,7 @@ double cost_of(const Track& track, double near, const CostOptions& stated) {
   return static_cast<double>(*rule.forward_weight * ahead +
                              *rule.reverse_weight * track.reverse_length +
                              *rule.gear_change_cost * changes +
-                             *rule.curvature_change_cost * track.curvature_change + near);
+                             *rule.curvature_change_cost * track.curvature_change + surcharge);
 }
 
 std::optional<std::string> false_gap(const StatedCost& stated) {
@@ -72,14 +72,14 @@ std::optional<std::string> false_time(const Found& found, const StatedCost& stat
 std::optional<std::string> false_cost(const Track& track, const Found& found,
                                       const StatedCost& stated) {
   if (stated.rule.measure == CostMeasure::time) return false_time(found, stated);
-  const double near = found.near;
-  const double cost = cost_of(track, near, stated.rule);
+  const double cost = cost_of(track, found.most_surcharge, stated.rule);
+  const double least = cost_of(track, found.least_surcharge, stated.rule);
   // The cost of clearance is less exact on longer paths.
   const double rough = std::max(1.0, static_cast<double>(track.length) / finely_seen);
   const double tolerance =
       length_tolerance * (1 + cost) +
       (stated.rule.clearance_weight.value_or(0.0) > 0 ? near_tolerance * rough * cost : 0.0);
-  if (!(std::abs(stated.cost - cost) <= tolerance)) {
+  if (!(stated.cost >= least - tolerance && stated.cost <= cost + tolerance)) {
     return text("the stated cost is %.10g m, the path costs %.10g m", stated.cost, cost);
   }
   if (!stated.lower_bound) return std::nullopt;

@@ -14,7 +14,10 @@ namespace vandplan::judge {
 
 /// Parts of a path's cost that the judge has computed.
 struct Found {
-  double near = 0.0;  ///< cost of being near obstacles [m]
+  /// Least and largest cost of being near obstacles and in zones [m]: at the edge of a zone either
+  /// is right.
+  double least_surcharge = 0.0;
+  double most_surcharge = 0.0;
   /// Duration of the fastest drive without jerk limit [s], if the cost is the time.
   double time = 0.0;
   bool has_jerk_limit = false;

@@ -90,16 +90,21 @@ class Integral {
   Effort effort_;
 };
 
+Real weight_of(const Stretch& stretch, const CostOptions& rule) {
+  return stretch.direction > 0 ? *rule.forward_weight : *rule.reverse_weight;
+}
+
 }  // namespace
 
-double near_cost(std::span<const Body> bodies, const CostOptions& stated) {
+double near_cost(std::span<const Body> bodies, const CostOptions& stated,
+                 std::span<const PricedPart> parts) {
   const CostOptions rule = filled(stated, shortest_style);
   if (rule.clearance_weight == 0.0 || bodies[0].ground.is_empty()) return 0.0;
   const Track& track = bodies[0].track;
   const double distance = *rule.clearance_distance;
   if (!(distance > 0.0)) return 0.0;
   Real sum = 0;
-  for (std::size_t i = 0; i < track.stretches.size(); ++i) {
+  for (const auto& [i, begin, end, factor] : parts) {
     const Stretch& stretch = track.stretches[i];
     double swing = 0;
     for (const Body& body : bodies) swing = std::max(swing, speed_of(body, stretch));
@@ -108,10 +113,18 @@ double near_cost(std::span<const Body> bodies, const CostOptions& stated) {
         std::max<Real>(std::min<Real>(usual, track.length / least_looks * fewest_looks / looks),
                        track.length / most_looks);
     Integral integral(bodies, rule, swing, step);
-    const Real weight = stretch.direction > 0 ? *rule.forward_weight : *rule.reverse_weight;
-    sum += weight * integral.over(i, 0, stretch.length);
+    sum += factor * weight_of(stretch, rule) * integral.over(i, begin, end);
   }
   return static_cast<double>(*rule.clearance_weight * sum);
+}
+
+double zone_cost(const Track& track, const CostOptions& stated, std::span<const PricedPart> parts) {
+  const CostOptions rule = filled(stated, shortest_style);
+  Real sum = 0;
+  for (const auto& [i, begin, end, factor] : parts) {
+    if (factor != 1) sum += (factor - 1) * (end - begin) * weight_of(track.stretches[i], rule);
+  }
+  return static_cast<double>(sum);
 }
 
 }  // namespace vandplan::judge

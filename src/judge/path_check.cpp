@@ -20,6 +20,7 @@
 #include "judge/steering.h"
 #include "judge/text.h"
 #include "judge/track.h"
+#include "judge/zone_prices.h"
 #include "judge/zones.h"
 
 namespace vandplan {
@@ -315,6 +316,20 @@ Task with_goal(const Task& task, const Goal& goal) {
   return to;
 }
 
+/// Computes the cost of being near obstacles and in zones.
+void find_surcharges(const Task& task, const Bodies& bodies, const Trailing* trailing,
+                     const CostOptions& rule, Found& found) {
+  const std::vector<Zone>& zones = task.world->local().zones;
+  const Track& track = bodies.front().track;
+  const auto surcharge = [&](AtEdge at_edge) {
+    const std::vector<PricedPart> parts =
+        priced_parts(zones, task.vehicle, track, trailing, at_edge);
+    return zone_cost(track, rule, parts) + near_cost(bodies, rule, parts);
+  };
+  found.most_surcharge = surcharge(AtEdge::inside);
+  found.least_surcharge = has_prices(zones) ? surcharge(AtEdge::outside) : found.most_surcharge;
+}
+
 /// First fault of a path, and its least clearance [m]. `trailing` is null without a trailer.
 std::optional<Fault> first_fault(const Task& task, const Track& track, const Trailing* trailing,
                                  const PathClaims& claims, std::optional<double>& least) {
@@ -347,7 +362,7 @@ std::optional<Fault> first_fault(const Task& task, const Track& track, const Tra
   if (claims.cost && claims.cost->rule.measure == CostMeasure::time) {
     found.time = drive_time(track, task.vehicle, task.curvatures.start);
   } else if (claims.cost) {
-    found.near = near_cost(bodies, claims.cost->rule);
+    find_surcharges(task, bodies, trailing, claims.cost->rule, found);
   }
   if (const auto reason = false_claim(track, trailing, found, claims)) return Fault{*reason, {}};
   return std::nullopt;

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "judge/body.h"
-#include "judge/ground.h"
 #include "judge/text.h"
 
 namespace vandplan::judge {
@@ -87,16 +85,7 @@ class ZoneCheck {
  public:
   ZoneCheck(const Zone& zone, std::size_t index, const Vehicle& vehicle, const Track& track,
             const Trailing* trailing)
-      : zone_(zone),
-        index_(index),
-        track_(track),
-        surroundings_{.obstacles = {zone.area}},
-        ground_(surroundings_) {
-    const Outline axle{0, 0, 0, 0};
-    bodies_.push_back({track, ground_, zone.body ? outlines_of(vehicle) : Outlines{axle, axle}});
-    if (!zone.body || trailing == nullptr) return;
-    bodies_.push_back({track, ground_, outlines_of(*vehicle.trailer), trailing});
-  }
+      : zone_(zone), index_(index), track_(track), bodies_(zone, vehicle, track, trailing) {}
 
   [[nodiscard]] std::optional<BrokenRule> broken() {
     for (std::size_t i = 0; i < track_.stretches.size(); ++i) {
@@ -125,7 +114,7 @@ class ZoneCheck {
  private:
   /// Length of a stretch that has to be looked at [m].
   [[nodiscard]] Real length_on(const Stretch& stretch) const {
-    return length_to_look_at(bodies_.back(), stretch);
+    return length_to_look_at(bodies_.all().back(), stretch);
   }
 
   /// The rule if a body is in the area on one of the parts. `rule` is half a sentence.
@@ -133,7 +122,7 @@ class ZoneCheck {
                                                     const std::vector<PartOfStretch>& parts,
                                                     const std::string& rule) {
     for (const PartOfStretch& part : parts) {
-      for (const Body& body : bodies_) {
+      for (const Body& body : bodies_.all()) {
         const auto place = first_in_area(body, stretch, part);
         if (!place) continue;
         const std::string name = zone_.name.empty() ? "" : " (" + zone_.name + ")";
@@ -176,13 +165,20 @@ class ZoneCheck {
   const Zone& zone_;
   std::size_t index_;
   const Track& track_;
-  Surroundings surroundings_;
-  Ground ground_;
-  std::vector<Body> bodies_;
+  ZoneBodies bodies_;
   Effort effort_;
 };
 
 }  // namespace
+
+ZoneBodies::ZoneBodies(const Zone& zone, const Vehicle& vehicle, const Track& track,
+                       const Trailing* trailing)
+    : surroundings_{.obstacles = {zone.area}}, ground_(surroundings_) {
+  const Outline axle{0, 0, 0, 0};
+  bodies_.push_back({track, ground_, zone.body ? outlines_of(vehicle) : Outlines{axle, axle}});
+  if (!zone.body || trailing == nullptr) return;
+  bodies_.push_back({track, ground_, outlines_of(*vehicle.trailer), trailing});
+}
 
 std::optional<BrokenRule> broken_rule(const std::vector<Zone>& zones, const Vehicle& vehicle,
                                       const Track& track, const Trailing* trailing) {

@@ -6,16 +6,37 @@
 // Method: docs/algorithms/path_check.md, "Zones".
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "judge/body.h"
+#include "judge/ground.h"
 #include "judge/track.h"
 #include "judge/trailing.h"
-#include "vandplan/collision.h"
 #include "vandplan/judge.h"
+#include "vandplan/problem.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan::judge {
+
+/// The bodies whose being in the area of a zone counts: the axle, or vehicle and trailer. Nothing
+/// but the area stands on their ground.
+class ZoneBodies {
+ public:
+  /// `trailing` is null without a trailer. References must outlive the object.
+  ZoneBodies(const Zone& zone, const Vehicle& vehicle, const Track& track,
+             const Trailing* trailing);
+  ZoneBodies(const ZoneBodies&) = delete;
+  ZoneBodies& operator=(const ZoneBodies&) = delete;
+
+  [[nodiscard]] std::span<const Body> all() const { return bodies_; }
+
+ private:
+  Surroundings surroundings_;
+  Ground ground_;
+  std::vector<Body> bodies_;
+};
 
 /// Rule of a zone that is broken, and the first place where it is.
 struct BrokenRule {

@@ -68,7 +68,7 @@ class HybridAStarSearch {
  public:
   HybridAStarSearch(const Task& task, const PlanOptions& options)
       : task_(task),
-        connector_(task, cost_rule(options.cost)),
+        connector_(task, cost_rule(options.cost, task)),
         estimate_(planning::estimate_of(options, task)),
         cell_(options.planner.number("cell")),
         headings_(static_cast<int>(options.planner.integer("headings"))),

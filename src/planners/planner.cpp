@@ -90,7 +90,7 @@ void judge(const Problem& problem, const PlanOptions& options, PlanResult& resul
 void settle_cost(const Task& task, const CostOptions& options, PlanResult& result) {
   const planning::Pricing pricing(task, options);
   result.cost = pricing.cost(result.path->segments, search::ClearanceSampling::answer);
-  if (!pricing.is_time() && options.clearance_weight == 0.0) return;
+  if (!pricing.is_time() && !pricing.prices().has_surcharge()) return;
   std::vector<CostSample>& trace = result.anytime;
   // Among moving obstacles a better drive may have a dearer path.
   const bool must_fall = !result.speeds;

@@ -33,8 +33,8 @@ search::CostRule rule_of(const Task& task, const CostOptions& cost, double time_
   if (cost.measure == CostMeasure::time) {
     return search::restricted(prices_like_time(task), cost.gears);
   }
-  if (time_price == 0.0) return search::cost_rule(cost);
-  return with_time(search::cost_rule(cost), task, time_price);
+  const search::CostRule prices = search::cost_rule(cost, task);
+  return time_price == 0.0 ? prices : with_time(prices, task, time_price);
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ double price_of_lack(std::span<const Segment> segments, double least) {
 
 Pricing::Pricing(const Task& task, const CostOptions& cost, double time_price, double min_stroke)
     : task_(task),
-      prices_(search::cost_rule(cost)),
+      prices_(search::cost_rule(cost, task)),
       rule_(rule_of(task, cost, time_price)),
       is_time_(cost.measure == CostMeasure::time),
       time_price_(time_price),
@@ -53,7 +53,7 @@ Pricing::Pricing(const Task& task, const CostOptions& cost, double time_price, d
 
 double Pricing::near_cost(std::span<const Segment> segments,
                           search::ClearanceSampling sampling) const {
-  if (is_time_ || prices_.clearance_weight == 0.0) return 0.0;
+  if (is_time_ || !prices_.has_surcharge()) return 0.0;
   return search::clearance_cost(task_, prices_, start_state(task_), segments, sampling);
 }
 

@@ -204,6 +204,12 @@ CostRule cost_rule(const CostOptions& options) {
   return restricted(rule, all.gears);
 }
 
+CostRule cost_rule(const CostOptions& options, const Task& task) {
+  CostRule rule = cost_rule(options);
+  rule.has_priced_ground = task.checker->has_prices();
+  return rule;
+}
+
 CostRule restricted(CostRule rule, AllowedGears gears) {
   constexpr double never = std::numeric_limits<double>::infinity();
   if (gears == AllowedGears::forward) rule.reverse_weight = never;
@@ -275,12 +281,15 @@ double drive_cost(const CostRule& rule, std::span<const Segment> segments) {
   return drive_cost(rule, segments, driven);
 }
 
-double clearance_cost(const Task& task, const CostRule& rule, const LocalState& from,
-                      std::span<const Segment> segments, ClearanceSampling sampling,
-                      double cutoff) {
+namespace {
+
+/// Surcharge near obstacles alone. `whole`: length of the path of which the segments are a part
+/// [m].
+double near_cost(const Task& task, const CostRule& rule, const LocalState& from,
+                 std::span<const Segment> segments, double whole, ClearanceSampling sampling,
+                 double cutoff) {
   if (rule.clearance_weight == 0.0) return 0.0;
   const double distance = rule.clearance_distance;
-  const double whole = length(segments);
   const SamplingSteps steps{distance / samples_of_search, whole / max_samples_of_search_at_path};
   double sum = 0.0;
   LocalState state = from;
@@ -294,6 +303,43 @@ double clearance_cost(const Task& task, const CostRule& rule, const LocalState& 
     sum += price * (sampling == ClearanceSampling::answer
                         ? exact_nearness(sampled, rule, whole)
                         : nearness(sampled, distance, steps, (cutoff - sum) / price));
+    state = advance(task.vehicle, state, segment);
+  }
+  return sum;
+}
+
+/// Surcharge of one segment in zones, and near obstacles there.
+double ground_cost(const Task& task, const CostRule& rule, const LocalState& from,
+                   const Segment& segment, double whole, ClearanceSampling sampling,
+                   double cutoff) {
+  double sum = 0.0;
+  for (const auto& [begin, end, factor] : task.checker->ground_along(from, segment)) {
+    if (sum > cutoff) break;
+    const Segment part = part_of(segment, begin, end);
+    const LocalState there = advance(task.vehicle, from, part_of(segment, 0.0, begin));
+    sum += (factor - 1.0) * rule.weight(gear_of(segment)) * (end - begin);
+    sum +=
+        factor * near_cost(task, rule, there, {&part, 1}, whole, sampling, (cutoff - sum) / factor);
+  }
+  return sum;
+}
+
+}  // namespace
+
+double clearance_cost(const Task& task, const CostRule& rule, const LocalState& from,
+                      std::span<const Segment> segments, ClearanceSampling sampling,
+                      double cutoff) {
+  const double whole = length(segments);
+  if (!rule.has_priced_ground)
+    return near_cost(task, rule, from, segments, whole, sampling, cutoff);
+  double sum = 0.0;
+  LocalState state = from;
+  for (const Segment& segment : segments) {
+    if (segment.length == 0.0) continue;
+    if (sum > cutoff) break;
+    const GearSign gear = gear_of(segment);
+    if (!rule.allows(gear)) return rule.weight(gear);
+    sum += ground_cost(task, rule, state, segment, whole, sampling, cutoff - sum);
     state = advance(task.vehicle, state, segment);
   }
   return sum;

@@ -27,7 +27,9 @@ double judged(const std::vector<Polygon>& obstacles, const Path& path) {
   const judge::Track track = judge::integrate(path);
   const judge::Ground ground(surroundings);
   const judge::Body body{track, ground, judge::outlines_of(Vehicle{})};
-  return judge::near_cost({&body, 1}, rule);
+  const std::vector<judge::PricedPart> whole =
+      judge::priced_parts({}, Vehicle{}, track, nullptr, judge::AtEdge::inside);
+  return judge::near_cost({&body, 1}, rule, whole);
 }
 
 /// Slow and obvious: a place every two millimetres, seen by the checker of planners.

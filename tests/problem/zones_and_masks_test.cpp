@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "planners/pricing.h"
 #include "problem/masks.h"
 #include "support/cases.h"
 #include "support/grids.h"
@@ -16,6 +17,8 @@
 #include "support/problems.h"
 #include "vandplan/judge.h"
 #include "vandplan/planner.h"
+#include "vandplan/search.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan {
 namespace {
@@ -158,11 +161,85 @@ TEST(Zones, AreChecked) {
   };
   EXPECT_EQ(fault({.area = box(0, 0, 1, 1), .closed = true}), "nothing");
   EXPECT_EQ(fault({.area = box(0, 0, 1, 1)}), "zones[1]");
+  EXPECT_EQ(fault({.area = box(0, 0, 1, 1), .cost = 0.5}), "zones[1].cost");
+  EXPECT_EQ(fault({.area = box(0, 0, 1, 1), .cost = 1001}), "zones[1].cost");
   EXPECT_EQ(fault({.area = {{0, 0}, {1, 1}}, .closed = true}), "zones[1].area");
   EXPECT_EQ(fault({.area = box(0, 0, 1, 1), .direction = HeadingRange{0, 7}}),
             "zones[1].direction");
   EXPECT_EQ(fault({.area = box(0, 0, 1, 1), .direction = HeadingRange{0, std::nan("")}}),
             "zones[1].direction");
+}
+
+/// Cost of a path by the options, as planners compute it.
+double cost_of(const Problem& problem, const Path& path, const CostOptions& cost = {}) {
+  return planning::Pricing(problem.task(), cost)
+      .cost(path.segments, search::ClearanceSampling::answer);
+}
+
+TEST(PricesOfZones, AreIntegrals) {
+  const std::vector<Zone> zones = {{.area = box(10, -5, 20, 5), .cost = 3},
+                                   {.area = box(15, -1, 40, 5), .cost = 10}};
+  const Problem problem = make_problem(with_zones({0, 0, 0}, {30, 0, 0}, zones));
+  EXPECT_NEAR(cost_of(problem, {{0, 0, 0}, {{0, 30}}}), 10 + 5 * 3 + 5 * 30 + 10 * 10, 1e-9);
+  const CostOptions twice{.reverse_weight = 2};
+  EXPECT_NEAR(cost_of(problem, {{0, 0, 0}, {{0, 12}, {0, -12}}}, twice), 3 * (10 + 2 * 3), 1e-9);
+  // A quarter of a circle of 10 m around (10, 10), half of it in the zone.
+  const Zone half{.area = box(10 + 10 * std::sqrt(0.5), -50, 60, 50), .cost = 101};
+  const Problem arc = make_problem(with_zones({10, 0, 0}, {20, 10, pi / 2}, {half}));
+  EXPECT_NEAR(cost_of(arc, {{10, 0, 0}, {{0.1, 5 * pi}}}), 5 * pi * (1 + 100.0 / 2), 1e-7);
+}
+
+TEST(PricesOfZones, MultiplyThatOfCloseness) {
+  Scenario scenario = with_zones({0, 0, 0}, {30, 0, 0}, {{.area = box(10, -5, 20, 5), .cost = 3}});
+  scenario.obstacles = {box(-30, 1.775, 70, 3)};  // half a metre beside the body
+  const CostOptions careful{.clearance_weight = 2, .clearance_distance = 1};
+  EXPECT_NEAR(cost_of(make_problem(scenario), {{0, 0, 0}, {{0, 30}}}, careful), 2 * (20 + 10 * 3),
+              0.05);
+}
+
+TEST(PricesOfZones, OfTheBodyCountWhileAnyPartIsThere) {
+  Scenario scenario =
+      with_zones({0, 0, 0}, {60, 0, 0}, {{.area = box(30, -5, 32, 5), .cost = 11, .body = true}});
+  const Footprint body = footprint(Vehicle{});
+  const Path path{{0, 0, 0}, {{0, 60}}};
+  EXPECT_NEAR(cost_of(make_problem(scenario), path), 60 + 10 * (2 + body.front + body.rear), 0.02);
+  scenario.vehicle = semitrailer();
+  EXPECT_GT(cost_of(make_problem(scenario), path), 60 + 10 * (2 + 13));
+}
+
+TEST(PricesOfZones, AreJudged) {
+  for_each_case(3, 300, [](Rng& rng) {
+    std::vector<Zone> zones;
+    for (int i = 0; i < 3; ++i) {
+      const Point at{uniform(-5, 30, rng), uniform(-10, 10, rng)};
+      const double size = uniform(0.5, 10, rng);
+      zones.push_back({.area = {{at.x, at.y}, {at.x + size, at.y}, {at.x, at.y + size}},
+                       .cost = uniform(1, 20, rng),
+                       .body = i == 2});
+    }
+    Path path{{0, 0, 0}, {}};
+    for (int i = 0; i < 3; ++i) {
+      path.segments.push_back({uniform(-0.14, 0.14, rng), uniform(-12, 12, rng)});
+    }
+    const Problem problem = make_problem(with_zones(path.start, end_pose(path), zones));
+    const double cost = cost_of(problem, path);
+    PathClaims claims{.cost = StatedCost{.cost = cost, .rule = shortest_style}};
+    const PathCheck check = check_path(problem, path, claims);
+    EXPECT_TRUE(check.valid) << check.reason;
+    claims.cost->cost = 1.01 * cost;
+    EXPECT_FALSE(check_path(problem, path, claims).valid);
+  });
+}
+
+TEST(PricesOfZones, LeadAround) {
+  const Zone mud{.name = "mud", .area = box(10, -8, 30, 3), .cost = 20};
+  const Problem problem = make_problem(with_zones({0, 0, 0}, {40, 0, 0}, {mud}));
+  const PlanResult result = plan(problem, of_iterations(4000));
+  if (is_sanitized && !result.path) return;
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  EXPECT_LT(result.cost, 60);
+  ASSERT_TRUE(result.lower_bound);
+  EXPECT_LE(*result.lower_bound, result.cost);
 }
 
 TEST(Masks, AreCoveredByRectangles) {

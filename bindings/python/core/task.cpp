@@ -197,7 +197,7 @@ void bind_task_data(py::class_<PlanningTask, std::shared_ptr<PlanningTask>>& tas
 PlanningTask::PlanningTask(const Task& task, const PlanOptions& options)
     : task_(task),
       options_(options),
-      rule_(search::cost_rule(options.cost)),
+      rule_(search::cost_rule(options.cost, task_)),
       connector_(task_, rule_),
       budget_(options.budget) {}
 

@@ -73,7 +73,7 @@ bool Seeker::begin() {
   source_->set_cutoff(best_cost_);
   if (!source_->step()) return false;
   Route route = source_->route();
-  if (connector_.rule().clearance_weight > 0.0) price(connector_, route);
+  if (connector_.rule().has_surcharge()) price(connector_, route);
   if (is_known(route)) return false;
   if (!connector_.rule().is_length()) raw_ = route;
   candidate_.emplace(connector_, std::move(route), stream_seed(seed_, ++candidates_), scope_);

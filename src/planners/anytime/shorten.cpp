@@ -147,7 +147,7 @@ Shortener::Stretch Shortener::stretch(std::size_t first, std::size_t last) const
 
 // Adds the clearance cost of the trial. False if it uses up the gain.
 bool Shortener::stays_cheaper(LocalPose from, double gain) {
-  if (connector_.rule().clearance_weight == 0.0) return true;
+  if (!connector_.rule().has_surcharge()) return true;
   for (Leg& leg : trial_) {
     leg.clearance_cost = connector_.clearance_cost(from, leg.piece.view(), gain);
     gain -= leg.clearance_cost;

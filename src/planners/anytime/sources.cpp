@@ -49,6 +49,7 @@ constexpr std::int64_t first_patience = 256;   // samples of the first attempt
 CostRule gears_alone(CostRule rule) {
   rule.curvature_change_cost = 0.0;
   rule.clearance_weight = 0.0;
+  rule.has_priced_ground = false;
   return rule;
 }
 

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Where along a segment does the vehicle travel in a direction?
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "vandplan/path.h"
+
+namespace vandplan::collision {
+
+/// Direction of travel along a segment: `first` + `curvature` s + `rate` s^2 / 2 after s metres
+/// [rad].
+struct Travel {
+  /// `gear`: direction of travel in time, 1 or -1.
+  Travel(const Pose& from, const Segment& segment, int gear)
+      : first(from.heading + (gear < 0 ? std::numbers::pi : 0.0)),
+        curvature(segment.length < 0 ? -segment.curvature : segment.curvature),
+        rate(segment.length < 0 ? -segment.curvature_rate : segment.curvature_rate),
+        length(std::abs(segment.length)) {}
+
+  [[nodiscard]] double at(double s) const { return first + s * (curvature + rate * s / 2); }
+
+  /// Adds the places where the direction is `angle` but for whole turns [m].
+  void add_places(double angle, std::vector<double>& places) const {
+    constexpr double full_turn = 2 * std::numbers::pi;
+    double least = std::min(first, at(length)), most = std::max(first, at(length));
+    const double vertex = rate != 0.0 ? -curvature / rate : -1.0;
+    if (vertex > 0 && vertex < length) {
+      least = std::min(least, at(vertex));
+      most = std::max(most, at(vertex));
+    }
+    double wanted = angle + full_turn * std::ceil((least - angle) / full_turn);
+    for (; wanted <= most; wanted += full_turn) add_roots(wanted - first, places);
+  }
+
+  double first, curvature, rate, length;
+
+ private:
+  /// Adds the places where the vehicle has turned by `turn`.
+  void add_roots(double turn, std::vector<double>& places) const {
+    const double square = std::max(0.0, curvature * curvature + 2 * rate * turn);
+    const double sum = curvature + std::copysign(std::sqrt(square), curvature);
+    for (const double s : {sum != 0.0 ? 2 * turn / sum : -1.0, rate != 0.0 ? -sum / rate : -1.0}) {
+      if (s > 0 && s < length) places.push_back(s);
+    }
+  }
+};
+
+}  // namespace vandplan::collision

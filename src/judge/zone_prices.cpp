@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "judge/zone_prices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "judge/zones.h"
+
+namespace vandplan::judge {
+namespace {
+
+constexpr double axle_slack = 1e-6;    // distance from an edge at which the axle may be inside [m]
+constexpr double body_slack = 1.5e-3;  // distance at which a body may touch [m]
+constexpr double far_enough = 1.0;     // distances above are not distinguished [m]
+constexpr Real shortest = 1e-3;        // part of which only the ends are looked at [m]
+constexpr Real surely = 0.02;  // part on which a body touches if it does at three places [m]
+constexpr int bisections = 50;
+
+/// Distance of a place from the sides of a polygon [m].
+Real depth_in(const Polygon& area, const Position& place) {
+  Real least = std::numeric_limits<Real>::infinity();
+  for (std::size_t i = 0; i < area.size(); ++i) {
+    const Point& a = area[i];
+    const Point& b = area[(i + 1) % area.size()];
+    const Real ux = static_cast<Real>(b.x) - a.x, uy = static_cast<Real>(b.y) - a.y;
+    const Real px = place.x - a.x, py = place.y - a.y;
+    const Real part = std::clamp<Real>((px * ux + py * uy) / (ux * ux + uy * uy), 0, 1);
+    least = std::min(least, std::hypot(px - part * ux, py - part * uy));
+  }
+  return least;
+}
+
+/// Where one zone holds on a track.
+class Holding {
+ public:
+  Holding(const Zone& zone, const Vehicle& vehicle, const Track& track, const Trailing* trailing,
+          AtEdge at_edge)
+      : zone_(zone), bodies_(zone, vehicle, track, trailing) {
+    const bool is_most = at_edge == AtEdge::inside;
+    level_ = zone.body ? (is_most ? body_slack : 0.0) : (is_most ? axle_slack : -axle_slack);
+  }
+
+  [[nodiscard]] Real factor() const { return zone_.cost; }
+  [[nodiscard]] bool holds(const Place& place) { return distance(place) <= level_; }
+
+  /// Adds the places of a stretch where the zone begins or ceases to hold.
+  void add_changes(std::size_t stretch, Real begin, Real end, std::vector<Real>& places) {
+    const Place middle{stretch, (begin + end) / 2};
+    const Real half = (end - begin) / 2;
+    if (steady_at(middle) > half) return;
+    if (end - begin <= shortest) {
+      add_change(stretch, begin, end, places);
+      return;
+    }
+    if (zone_.body && end - begin <= surely && holds({stretch, begin}) && holds(middle) &&
+        holds({stretch, end})) {
+      return;
+    }
+    add_changes(stretch, begin, middle.t, places);
+    add_changes(stretch, middle.t, end, places);
+  }
+
+ private:
+  /// Distance of what counts from the area [m]. For an axle inside it is negative.
+  [[nodiscard]] Real distance(const Place& place) {
+    double least = far_enough;
+    for (const Body& body : bodies_.all()) {
+      least = clearance_of(body, place, least, effort_);
+    }
+    if (zone_.body || least > 0) return least;
+    const Track& track = bodies_.all().front().track;
+    return -depth_in(zone_.area, after(track.stretches[place.stretch], place.t));
+  }
+
+  /// Metres before and after a place on which nothing changes.
+  [[nodiscard]] Real steady_at(const Place& place) {
+    const Real off = distance(place) - level_;
+    if (zone_.body && off <= 0) return 0;
+    double speed = 0;
+    for (const Body& body : bodies_.all()) {
+      speed = std::max(speed, speed_of(body, body.track.stretches[place.stretch]));
+    }
+    return std::abs(off) / speed;
+  }
+
+  void add_change(std::size_t stretch, Real begin, Real end, std::vector<Real>& places) {
+    const bool first = holds({stretch, begin});
+    if (first == holds({stretch, end})) return;
+    for (int i = 0; i < bisections; ++i) {
+      const Real middle = (begin + end) / 2;
+      (holds({stretch, middle}) == first ? begin : end) = middle;
+    }
+    places.push_back(end);
+  }
+
+  const Zone& zone_;
+  ZoneBodies bodies_;
+  Real level_ = 0;
+  Effort effort_;
+};
+
+}  // namespace
+
+bool has_prices(const std::vector<Zone>& zones) {
+  return std::any_of(zones.begin(), zones.end(), [](const Zone& zone) { return zone.cost != 1; });
+}
+
+std::vector<PricedPart> priced_parts(const std::vector<Zone>& zones, const Vehicle& vehicle,
+                                     const Track& track, const Trailing* trailing, AtEdge at_edge) {
+  std::vector<std::unique_ptr<Holding>> priced;
+  for (const Zone& zone : zones) {
+    if (zone.cost == 1) continue;
+    priced.push_back(std::make_unique<Holding>(zone, vehicle, track, trailing, at_edge));
+  }
+  std::vector<PricedPart> parts;
+  for (std::size_t i = 0; i < track.stretches.size(); ++i) {
+    const Real length = track.stretches[i].length;
+    std::vector<Real> places = {0, length};
+    for (const auto& zone : priced) zone->add_changes(i, 0, length, places);
+    std::sort(places.begin(), places.end());
+    for (std::size_t k = 1; k < places.size(); ++k) {
+      PricedPart part{i, places[k - 1], places[k]};
+      if (!(part.end > part.begin)) continue;
+      for (const auto& zone : priced) {
+        if (zone->holds({i, (part.begin + part.end) / 2})) part.factor *= zone->factor();
+      }
+      parts.push_back(part);
+    }
+  }
+  return parts;
+}
+
+}  // namespace vandplan::judge
