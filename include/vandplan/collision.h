@@ -36,6 +36,7 @@ struct Zone {
   /// reverse. None: any direction.
   std::optional<HeadingRange> direction = {};
   double cost = 1.0;  ///< how many times as much a metre costs there; 1 to 1000
+  std::optional<double> max_speed = {};  ///< largest speed there, in either gear [m/s]; > 0
   /// Whether the rules hold while any part of the vehicle or its trailer is in the area.
   bool body = false;
   bool operator==(const Zone&) const = default;
@@ -67,6 +68,8 @@ struct Surroundings {
 struct GroundPart {
   double begin = 0.0, end = 0.0;  ///< driven distances from the start of the segment [m]
   double cost = 1.0;              ///< how many times as much a metre costs
+  /// Largest speed [m/s].
+  double max_speed = std::numeric_limits<double>::infinity();
 };
 
 /// Order in which segments are driven in time.
@@ -147,8 +150,9 @@ class CollisionChecker {
   [[nodiscard]] bool is_free(const LocalState& from, std::span<const Segment> segments,
                              InTime in_time = InTime::onward) const noexcept;
 
-  /// Whether a zone has a price.
+  /// Whether a zone has a price, and whether one has a largest speed.
   [[nodiscard]] bool has_prices() const noexcept;
+  [[nodiscard]] bool has_speed_limits() const noexcept;
   /// The parts of a segment from `from`, from its begin to its end, with what zones say there. The
   /// places where the rear axle enters and leaves an area are exact but for rounding. For a whole
   /// body they are off by at most a millimetre.

@@ -64,16 +64,26 @@ struct SpeedProfile {
   double standing = 0.0;  ///< sum of the pauses [s]
 };
 
+/// Limit of the speed on a part of a path, both ends included.
+struct SpeedLimit {
+  double begin = 0.0;      ///< driven distance from the start to the begin of the part [m]
+  double end = 0.0;        ///< driven distance from the start to the end of the part [m]
+  double max_speed = 0.0;  ///< largest speed there, in either gear [m/s]; > 0
+  bool operator==(const SpeedLimit&) const = default;
+};
+
 /// Facts about a drive that its path does not tell.
 struct SpeedOptions {
-  double start_curvature = 0.0;  ///< curvature of the wheels before the drive [1/m]
+  double start_curvature = 0.0;         ///< curvature of the wheels before the drive [1/m]
+  std::vector<SpeedLimit> limits = {};  ///< limits of places, such as zones
 };
 
 /// Largest jump of the steering angle that a vehicle drives through [rad]: numbers in files are
 /// rounded. At a larger jump the vehicle stands until its wheels are turned.
 inline constexpr double ignored_steering_jump = 1e-6;
 
-/// The fastest drive along a path that keeps all of `vehicle.limits`. It stands at start, goal and
+/// The fastest drive along a path that keeps all of `vehicle.limits` and the limits of places. It
+/// stands at start, goal and
 /// gear changes, and wherever the curvature jumps until the wheels are turned. Without a limit of
 /// jerk no drive is shorter by 0.1 %. With one the drive keeps it and is near the shortest.
 ///

@@ -400,6 +400,10 @@ bool CollisionChecker::has_prices() const noexcept {
   return data_->zones && data_->zones->have_prices();
 }
 
+bool CollisionChecker::has_speed_limits() const noexcept {
+  return data_->zones && data_->zones->have_speed_limits();
+}
+
 std::vector<GroundPart> CollisionChecker::ground_along(const LocalState& from,
                                                        const Segment& segment) const {
   if (!data_->zones) return {{0.0, std::abs(segment.length)}};

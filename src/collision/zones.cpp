@@ -195,6 +195,10 @@ bool Zones::have_prices() const noexcept {
   return std::ranges::any_of(all_, [](const Checked& each) { return each.zone.cost != 1.0; });
 }
 
+bool Zones::have_speed_limits() const noexcept {
+  return std::ranges::any_of(all_, [](const Checked& each) { return each.zone.max_speed.has_value(); });
+}
+
 bool Zones::allow(const LocalState& from, std::span<const Segment> segments,
                   InTime in_time) const noexcept {
   const int sign = in_time == InTime::onward ? 1 : -1;
@@ -214,7 +218,8 @@ std::vector<GroundPart> Zones::along(const LocalState& from, const Segment& segm
   std::vector<const Checked*> near;
   std::vector<double> places{0.0, length};
   for (const Checked& each : all_) {
-    if (each.zone.cost == 1.0 || each.is_far(from.pose, segment)) continue;
+    const bool says_nothing = each.zone.cost == 1.0 && !each.zone.max_speed;
+    if (says_nothing || each.is_far(from.pose, segment)) continue;
     near.push_back(&each);
     each.add_changes(vehicle_, from, segment, places);
   }
@@ -227,9 +232,12 @@ std::vector<GroundPart> Zones::along(const LocalState& from, const Segment& segm
     const double middle = part.begin + (part.end - part.begin) / 2;
     const LocalState there = advance(vehicle_, from, part_of(segment, 0.0, middle));
     for (const Checked* each : near) {
-      if (each->holds(there)) part.cost *= each->zone.cost;
+      if (!each->holds(there)) continue;
+      part.cost *= each->zone.cost;
+      part.max_speed = std::min(part.max_speed, each->zone.max_speed.value_or(part.max_speed));
     }
-    if (!parts.empty() && parts.back().cost == part.cost) {
+    if (!parts.empty() && parts.back().cost == part.cost &&
+        parts.back().max_speed == part.max_speed) {
       parts.back().end = part.end;
     } else {
       parts.push_back(part);

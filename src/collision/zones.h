@@ -25,8 +25,9 @@ class Zones {
   Zones(const Zones&) = delete;
   Zones& operator=(const Zones&) = delete;
 
-  /// Whether a zone has a price.
+  /// Whether a zone has a price, and whether one has a largest speed.
   [[nodiscard]] bool have_prices() const noexcept;
+  [[nodiscard]] bool have_speed_limits() const noexcept;
 
   /// Whether the segments, one after the other, break no rule.
   [[nodiscard]] bool allow(const LocalState& from, std::span<const Segment> segments,

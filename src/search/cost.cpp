@@ -313,7 +313,7 @@ double ground_cost(const Task& task, const CostRule& rule, const LocalState& fro
                    const Segment& segment, double whole, ClearanceSampling sampling,
                    double cutoff) {
   double sum = 0.0;
-  for (const auto& [begin, end, factor] : task.checker->ground_along(from, segment)) {
+  for (const auto& [begin, end, factor, max_speed] : task.checker->ground_along(from, segment)) {
     if (sum > cutoff) break;
     const Segment part = part_of(segment, begin, end);
     const LocalState there = advance(task.vehicle, from, part_of(segment, 0.0, begin));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace vandplan::speed {
 namespace {
@@ -157,7 +158,56 @@ class Builder {
   double value_ = 0.0;  // speed^2 at the begin of the next line [m^2/s^2]
 };
 
+/// The part of a cap between two places of it.
+Cap part_of(const Cap& cap, double begin, double end) {
+  const auto at = [&](double s) {
+    return s == cap.begin ? cap.first : s == cap.end ? cap.last : cap.first + (s - cap.begin) * cap.slope();
+  };
+  return {begin, end, at(begin), at(end), cap.bound};
+}
+
+/// Appends a cap, lowered to `top` [m^2/s^2].
+void add_lowered(const Cap& cap, double top, std::vector<Cap>& caps) {
+  const Cap flat{cap.begin, cap.end, top, top, SpeedBound::max_speed};
+  if (cap.first >= top && cap.last >= top) {
+    caps.push_back(flat);
+    return;
+  }
+  if (cap.first <= top && cap.last <= top) {
+    caps.push_back(cap);
+    return;
+  }
+  const double cut = std::clamp(cap.begin + (top - cap.first) / cap.slope(), cap.begin, cap.end);
+  for (const auto& [begin, end] : {std::pair{cap.begin, cut}, std::pair{cut, cap.end}}) {
+    if (!(begin < end)) continue;
+    Cap part = part_of(cap, begin, end);
+    if (std::max(part.first, part.last) > top * (1 + 1e-12)) {
+      part = {begin, end, top, top, SpeedBound::max_speed};
+    }
+    part.first = std::min(part.first, top);
+    part.last = std::min(part.last, top);
+    caps.push_back(part);
+  }
+}
+
 }  // namespace
+
+void keep_limits(std::span<const SpeedLimit> limits, double origin, std::size_t first,
+                 std::vector<Cap>& caps) {
+  std::vector<Cap> given;
+  for (const auto& [from, to, max_speed] : limits) {
+    const double begin = from - origin, end = to - origin;
+    given.assign(caps.begin() + static_cast<std::ptrdiff_t>(first), caps.end());
+    caps.resize(first);
+    for (const Cap& cap : given) {
+      const double enters = std::clamp(begin, cap.begin, cap.end);
+      const double leaves = std::clamp(end, enters, cap.end);
+      if (cap.begin < enters) caps.push_back(part_of(cap, cap.begin, enters));
+      if (enters < leaves) add_lowered(part_of(cap, enters, leaves), max_speed * max_speed, caps);
+      if (leaves < cap.end) caps.push_back(part_of(cap, leaves, cap.end));
+    }
+  }
+}
 
 void add_caps(const Segment& segment, double s, const Vehicle& vehicle, std::vector<Cap>& caps) {
   const double length = std::abs(segment.length);

@@ -5,6 +5,7 @@
 //
 // Speeds are kept squared: under constant acceleration their square is linear in the distance.
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -26,5 +27,10 @@ struct Cap {
 /// Appends the caps of a segment that begins `s` metres from the start. They are never above a
 /// limit of the vehicle, and at most 0.1 % below it in speed^2 wherever that can matter.
 void add_caps(const Segment& segment, double s, const Vehicle& vehicle, std::vector<Cap>& caps);
+
+/// Lowers the caps from number `first` on to the limits of places. Caps count from `origin` metres
+/// after the start of the path.
+void keep_limits(std::span<const SpeedLimit> limits, double origin, std::size_t first,
+                 std::vector<Cap>& caps);
 
 }  // namespace vandplan::speed

@@ -4,6 +4,7 @@
 // How fast may a path be driven by a vehicle that already moves at its start?
 
 #include <optional>
+#include <span>
 
 #include "vandplan/motion.h"
 
@@ -13,6 +14,7 @@ namespace vandplan::speed {
 struct MovingStart {
   double curvature = 0.0;  ///< curvature to which the wheels are turned [1/m]
   double speed = 0.0;      ///< speed in the gear of the first segment [m/s]; >= 0
+  std::span<const SpeedLimit> limits = {};  ///< limits of places on the path
 };
 
 /// Speed profile for a vehicle that may move at the start; then `max_jerk` is ignored. Where the

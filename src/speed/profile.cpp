@@ -24,7 +24,10 @@ constexpr double least_motion = 1e-9;
 class Drive {
  public:
   Drive(const Vehicle& vehicle, const speed::MovingStart& start)
-      : vehicle_(vehicle), curvature_(start.curvature), speed_(start.speed) {}
+      : vehicle_(vehicle),
+        limits_(start.limits),
+        curvature_(start.curvature),
+        speed_(start.speed) {}
 
   void add(const Segment& segment) {
     const double length = std::abs(segment.length);
@@ -40,7 +43,9 @@ class Drive {
     const bool jumps = turn_to(segment.curvature) > ignored_steering_jump;
     if (changes_gear || jumps) stop(segment.curvature);
     // Distances count from the last stop, so that short segments do not vanish after a long path.
+    const std::size_t first = caps_.size();
     speed::add_caps(segment, since_stop_, vehicle_, caps_);
+    speed::keep_limits(limits_, stop_, first, caps_);
     since_stop_ += length;
     s_ += length;
     gear_ = sign;
@@ -102,6 +107,7 @@ class Drive {
   }
 
   const Vehicle& vehicle_;
+  std::span<const SpeedLimit> limits_;
   SpeedProfile profile_;
   std::vector<Cap> caps_;     // caps of the stretch so far
   double curvature_;          // curvature to which the wheels are turned [1/m]
@@ -138,7 +144,7 @@ std::string_view name_of(SpeedBound bound) noexcept {
 }
 
 SpeedProfile speed_profile(const Path& path, const Vehicle& vehicle, const SpeedOptions& options) {
-  return *speed::profile_from(path, vehicle, {options.start_curvature, 0.0});
+  return *speed::profile_from(path, vehicle, {options.start_curvature, 0.0, options.limits});
 }
 
 std::optional<SpeedProfile> speed::profile_from(const Path& path, const Vehicle& vehicle,
@@ -147,6 +153,9 @@ std::optional<SpeedProfile> speed::profile_from(const Path& path, const Vehicle&
   base::require(vehicle.wheelbase > 0.0, "vehicle.wheelbase", vehicle.wheelbase, "more than 0 m");
   base::require(std::isfinite(start.curvature), "start_curvature", start.curvature,
                 "a number [1/m]");
+  for (const SpeedLimit& limit : start.limits) {
+    base::require(limit.max_speed > 0.0, "limits", limit.max_speed, "more than 0 m/s");
+  }
   vandplan::path::check_finite(path);
   Drive drive(vehicle, start);
   for (const Segment& segment : merged(path.segments)) drive.add(segment);
