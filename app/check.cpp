@@ -38,8 +38,7 @@ using Verdict = std::optional<Judged>;
 /// Speeds of a result; if it has none, those of the fastest drive along its path.
 SpeedProfile speeds_of(const Problem& problem, const PlanResult& result) {
   if (result.speeds) return *result.speeds;
-  return speed_profile(*result.path, problem.vehicle(),
-                       {.start_curvature = problem.curvatures().start});
+  return speed_profile(*result.path, problem.vehicle(), speed_options(problem, *result.path));
 }
 
 Verdict judge(const Problem& problem, const ResultRecord& record) {

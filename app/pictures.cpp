@@ -54,8 +54,7 @@ Drawing drawing_of(const Scenario& scenario, const ResultRecord* record) {
 /// Speeds of a result; if it has none, those of the fastest drive along its path.
 SpeedProfile speeds_of(const Scenario& scenario, const PlanResult& result) {
   if (result.speeds) return *result.speeds;
-  return speed_profile(*result.path, scenario.vehicle,
-                       {.start_curvature = scenario.curvatures.start});
+  return speed_profile(*result.path, scenario.vehicle, speed_options(scenario, *result.path));
 }
 
 /// A pair, and the scenario with the pair's start and goal.

@@ -151,8 +151,8 @@ int run(const SpeedArguments& arguments) {
     const DriveCheck check = check_drive(choice.problem, {*path, *stated});
     if (!check.valid) return refuse(choice, check.reason, arguments.json);
   }
-  const SpeedOptions options{.start_curvature = choice.problem.curvatures().start};
-  const SpeedProfile profile = stated ? *stated : speed_profile(*path, vehicle, options);
+  const SpeedProfile profile =
+      stated ? *stated : speed_profile(*path, vehicle, speed_options(choice.problem, *path));
   nlohmann::ordered_json json = speed_json(choice, profile);
   if (arguments.output) {
     if (profile.duration / arguments.step > most_rows) {

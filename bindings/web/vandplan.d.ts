@@ -144,6 +144,30 @@ export interface OccupancyMap {
   unknown?: 'free';
 }
 
+/** Ground with rules of its own, which hold while the midpoint of the rear axle is in its area. */
+export interface Zone {
+  name?: string;
+  /** Simple polygon; its edge belongs to it. */
+  area: Point[];
+  /** Whether the vehicle may not be there at all. */
+  closed?: boolean;
+  gears?: Gears;
+  /** First and last allowed direction of travel, counter-clockwise [rad]: the heading, in reverse turned by half a turn. */
+  direction?: Point;
+  /** How many times as much a metre costs; 1 to 1000. */
+  cost?: number;
+  /** Largest speed there, in either gear [m/s]. */
+  max_speed?: number;
+  /** Whether the rules hold while any part of the vehicle or its trailer is there. */
+  body?: boolean;
+}
+
+/** Further map, of which only occupied cells count. */
+export interface Mask {
+  map: OccupancyMap;
+  as: 'obstacles';
+}
+
 /** Scenario, with the keys of scenario files. */
 export interface Scenario {
   name?: string;
@@ -161,7 +185,9 @@ export interface Scenario {
   kerbs?: Point[][];
   /** Areas, in one of which the whole body must stay. */
   inside?: Point[][];
+  zones?: Zone[];
   map?: OccupancyMap;
+  masks?: Mask[];
 }
 
 /** Part of a path in one gear. */
@@ -221,9 +247,9 @@ export interface Prices {
   clearance_distance: number;
 }
 
-/** Object that is hit: an obstacle, kerb or `inside` area by index, a map cell by its middle [m], or the bounds. */
+/** Object that is hit: an obstacle, kerb, `inside` area, zone or mask by index, a map cell by its middle [m], or the bounds. */
 export type Hit =
-  | {what: 'obstacles' | 'kerbs' | 'inside'; index: number}
+  | {what: 'obstacles' | 'kerbs' | 'inside' | 'zones' | 'masks'; index: number}
   | {what: 'map'; cell?: {x: number; y: number}}
   | {what: 'bounds'};
 

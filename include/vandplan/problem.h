@@ -248,6 +248,15 @@ void check_map(const OccupancyGrid& map);
 [[nodiscard]] Task task_of(const Problem& problem, const ClearanceOptions& options,
                            Steering steering = Steering::reeds_shepp);
 
+/// Limits of zones on the speed along segments from a state, by the distance from there.
+[[nodiscard]] std::vector<SpeedLimit> speed_limits(const Task& task, const LocalState& from,
+                                                   std::span<const Segment> segments);
+
+/// What `speed_profile` needs to know of a path of a problem, in the scenario's frame.
+[[nodiscard]] SpeedOptions speed_options(const Problem& problem, const Path& path);
+/// `speed_options` for the problem of a scenario, which is not made if there are no zones.
+[[nodiscard]] SpeedOptions speed_options(const Scenario& scenario, const Path& path);
+
 /// A pose of the scenario's frame in the world's frame; heading in [-pi, pi). A scenario moved by
 /// whole metres has equal poses in its world, bit for bit, if its coordinates have at most 15
 /// digits.

@@ -6,7 +6,7 @@
 // Rules: a zone turns into an obstacle on the part of a segment that they forbid: on all of it if
 // the zone is closed or the gear is wrong, and where the direction of travel is outside of the
 // range. Collision checks then find out, without steps, whether the vehicle is in the area there.
-// docs/algorithms/collision.md, "Zones".
+// docs/lab/zones.md.
 
 #include <span>
 #include <vector>

@@ -278,6 +278,30 @@ void paint_goal_set(cairo_t* cairo, const Scene& scene, const View& view) {
   }
 }
 
+/// Arrow in the middle of a box, in the middle of a range of directions.
+void paint_arrow(cairo_t* cairo, const View& view, const Bounds& box, const HeadingRange& range) {
+  const double size = 0.3 * std::min(box.x_max - box.x_min, box.y_max - box.y_min);
+  const Pose middle{(box.x_min + box.x_max) / 2, (box.y_min + box.y_max) / 2,
+                    range.from + width(range) / 2};
+  const auto at = [&](double ahead, double left) {
+    return compose(middle, {ahead * size, left * size, 0.0});
+  };
+  add_line(cairo, view, std::array{at(-1, 0), at(1, 0)});
+  add_line(cairo, view, std::array{at(0.5, 0.4), at(1, 0), at(0.5, -0.4)});
+  stroke(cairo, 1.6, colour::faint_ink, 0.9);
+}
+
+/// Areas of zones: closed ones in the colour of obstacles, others in that of kerbs.
+void paint_zones(cairo_t* cairo, const Scene& scene, const View& view) {
+  for (const Zone& zone : scene.zones) {
+    add_polygon(cairo, view, zone.area);
+    set_colour(cairo, zone.closed ? colour::obstacle : colour::kerb, 0.25);
+    cairo_fill_preserve(cairo);
+    stroke(cairo, 0.8, colour::faint_ink, 0.8);
+    if (zone.direction) paint_arrow(cairo, view, bounding_box(zone.area), *zone.direction);
+  }
+}
+
 }  // namespace
 
 void paint_scene(cairo_t* cairo, const Scene& scene, const View& view) {
@@ -288,8 +312,10 @@ void paint_scene(cairo_t* cairo, const Scene& scene, const View& view) {
     cairo_fill_preserve(cairo);
     stroke(cairo, 1.6, colour::ink, 0.7);
   }
+  paint_zones(cairo, scene, view);
   paint_polygons(cairo, scene.kerbs, colour::kerb, view);
   if (scene.map) paint_map(cairo, *scene.map, view);
+  for (const OccupancyGrid& map : scene.masks) paint_map(cairo, map, view);
   paint_polygons(cairo, scene.obstacles, colour::obstacle, view);
   paint_moving(cairo, scene, view);
   paint_tree(cairo, scene, view);

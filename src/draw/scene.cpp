@@ -149,11 +149,21 @@ std::vector<Shadow> shadows_of(const std::vector<MovingObstacle>& moving, const 
   return shadows;
 }
 
+/// The map with free cells in the place of unknown ones.
+OccupancyGrid without_unknown(OccupancyGrid map) {
+  std::vector<Cell> cells = *map.cells;
+  std::replace(cells.begin(), cells.end(), Cell::unknown, Cell::free);
+  map.cells = std::move(cells);
+  return map;
+}
+
 /// Outlines of all objects in the scene; a map is one object.
 std::vector<Polygon> things_in(const Scene& scene) {
   std::vector<Polygon> things = scene.obstacles;
   things.insert(things.end(), scene.kerbs.begin(), scene.kerbs.end());
   things.insert(things.end(), scene.inside.begin(), scene.inside.end());
+  for (const Zone& zone : scene.zones) things.push_back(zone.area);
+  for (const OccupancyGrid& map : scene.masks) things.push_back(outline(map));
   if (scene.map) things.push_back(outline(*scene.map));
   for (const Shadow& shadow : scene.shadows) things.push_back(shadow.outline);
   return things;
@@ -218,6 +228,12 @@ Scene scene_of(const Drawing& drawing) {
   scene.obstacles = moved(scenario.obstacles, scene.origin);
   scene.kerbs = moved(scenario.kerbs, scene.origin);
   scene.inside = moved(scenario.inside, scene.origin);
+  scene.zones = scenario.zones;
+  for (Zone& zone : scene.zones) {
+    zone.area = moved(std::vector<Polygon>{zone.area}, scene.origin).front();
+  }
+  for (const Mask& mask : scenario.masks) scene.masks.push_back(without_unknown(mask.map));
+  for (OccupancyGrid& map : scene.masks) map.origin = moved(map.origin, scene.origin, "masks");
   scene.shadows = shadows_of(scenario.moving, scene.origin);
   scene.map = scenario.map;
   if (scene.map) scene.map->origin = moved(scene.map->origin, scene.origin, "map.origin");

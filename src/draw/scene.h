@@ -30,8 +30,10 @@ struct Scene {
   std::vector<Polygon> obstacles;
   std::vector<Polygon> kerbs;
   std::vector<Polygon> inside;  ///< Areas that the body must stay inside.
+  std::vector<Zone> zones;
   std::optional<OccupancyGrid> map;
-  std::vector<Shadow> shadows;  ///< Moving obstacles, the latest time first.
+  std::vector<OccupancyGrid> masks;  ///< Maps without unknown cells, on which nothing is drawn.
+  std::vector<Shadow> shadows;       ///< Moving obstacles, the latest time first.
   std::optional<Path> path;
   double margin = 0.0;           ///< Margin around the swept area [m].
   TreeSnapshot tree;             ///< Empty if there is no tree.

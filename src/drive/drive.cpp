@@ -150,8 +150,8 @@ class Drive {
     expect_drivable(path, problem.vehicle());
     check_limits(vehicle_.limits);
     const double curvature = problem.curvatures().start;
-    const SpeedProfile profile = speed_profile(path, with_reserve(vehicle_, options.reserve),
-                                               {.start_curvature = curvature});
+    const SpeedProfile profile =
+        speed_profile(path, with_reserve(vehicle_, options.reserve), speed_options(problem, path));
     result_.planned_duration = profile.duration;
     real_ = {to_local(*problem.world(), path.start), problem.hitch_angles().start};
     strokes_ = strokes_of({real_.pose, path.segments}, profile);

@@ -121,8 +121,7 @@ ExecutableCheck executable(const Problem& problem, const Path& path) {
     throw InputError("problem", "is empty, expected one that make_problem returned");
   }
   const Vehicle& vehicle = problem.vehicle();
-  const SpeedProfile profile =
-      speed_profile(path, vehicle, {.start_curvature = problem.curvatures().start});
+  const SpeedProfile profile = speed_profile(path, vehicle, speed_options(problem, path));
   // Longer drives have longer steps, to limit the memory.
   const double step = std::max(period, profile.duration / most_moments);
   const std::vector<Motion> motions = sampled(path, vehicle, profile, step);

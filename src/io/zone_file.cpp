@@ -22,7 +22,8 @@ AllowedGears gears_from(const Document& file, const Node& node) {
 }
 
 Zone zone_from(const Document& file, const Node& node) {
-  file.allow_only(node, {"name", "area", "closed", "gears", "direction", "cost", "body"});
+  file.allow_only(node,
+                  {"name", "area", "closed", "gears", "direction", "cost", "max_speed", "body"});
   Zone zone{.area = polygon_from(file, file.at(node, "area"))};
   if (const Node* const name = file.find(node, "name")) zone.name = file.text(*name);
   if (const Node* const closed = file.find(node, "closed")) zone.closed = file.truth(*closed);
@@ -31,6 +32,7 @@ Zone zone_from(const Document& file, const Node& node) {
     zone.direction = headings_from(file, *direction);
   }
   if (const Node* const cost = file.find(node, "cost")) zone.cost = file.number(*cost);
+  if (const Node* const speed = file.find(node, "max_speed")) zone.max_speed = file.number(*speed);
   if (const Node* const body = file.find(node, "body")) zone.body = file.truth(*body);
   return zone;
 }
@@ -54,6 +56,7 @@ std::string zones_to_yaml(const std::vector<Zone>& zones) {
     if (zone.gears != AllowedGears::both) rules += fmt::format(", gears: {}", name_of(zone.gears));
     if (zone.direction) rules += fmt::format(", direction: {}", yaml_of(*zone.direction));
     if (zone.cost != 1.0) rules += fmt::format(", cost: {}", zone.cost);
+    if (zone.max_speed) rules += fmt::format(", max_speed: {}", *zone.max_speed);
     if (zone.body) rules += ", body: true";
     text += fmt::format("  - {{{}}}\n", rules);
   }

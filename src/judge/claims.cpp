@@ -56,11 +56,11 @@ std::optional<std::string> false_gap(const StatedCost& stated) {
 /// Fault of a stated time. With a jerk limit the fastest drive is unknown, but takes no less time
 /// than without it.
 std::optional<std::string> false_time(const Found& found, const StatedCost& stated) {
-  const double least = found.time * (1 - time_tolerance) - length_tolerance;
-  const double most = found.time * (1 + time_tolerance) + length_tolerance;
+  const double least = found.least_time * (1 - time_tolerance) - length_tolerance;
+  const double most = found.most_time * (1 + time_tolerance) + length_tolerance;
   if (!(stated.cost >= least && (found.has_jerk_limit || stated.cost <= most))) {
     return text("the stated cost is %.10g s, the fastest drive takes %.10g s%s", stated.cost,
-                found.time, found.has_jerk_limit ? " without a limit of jerk" : "");
+                found.most_time, found.has_jerk_limit ? " without a limit of jerk" : "");
   }
   if (stated.lower_bound && !(*stated.lower_bound <= stated.cost * (1 + gap_tolerance))) {
     return text("the stated bound is %.10g s, the stated cost %.10g s", *stated.lower_bound,

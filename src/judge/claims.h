@@ -18,8 +18,10 @@ struct Found {
   /// is right.
   double least_surcharge = 0.0;
   double most_surcharge = 0.0;
-  /// Duration of the fastest drive without jerk limit [s], if the cost is the time.
-  double time = 0.0;
+  /// Least and largest duration of the fastest drive without jerk limit [s], if the cost is the
+  /// time: at the edge of a zone either is right.
+  double least_time = 0.0;
+  double most_time = 0.0;
   bool has_jerk_limit = false;
 };
 

@@ -15,6 +15,7 @@
 #include "judge/text.h"
 #include "judge/track.h"
 #include "judge/trailing.h"
+#include "judge/zone_prices.h"
 
 namespace vandplan {
 namespace {
@@ -50,12 +51,20 @@ Place place_at(const Track& track, Real s) {
 /// Checks the limits of a vehicle at single moments.
 class LimitCheck {
  public:
-  LimitCheck(const Track& track, const Vehicle& vehicle) : track_(track), vehicle_(vehicle) {}
+  LimitCheck(const Track& track, const Vehicle& vehicle,
+             const std::vector<judge::PricedPart>& parts)
+      : track_(track), vehicle_(vehicle), parts_(parts) {}
 
   [[nodiscard]] std::optional<DriveFault> at(const SpeedKnot& knot, Real d) const {
     const Reached now = after_knot(knot, d);
     const Place place = place_at(track_, now.s);
     const Stretch& stretch = track_.stretches[place.stretch];
+    const Real most = judge::max_speed_at(parts_, place);
+    if (now.v > most * (1 + limit_slack) + speed_slack) {
+      return DriveFault{text("the speed in a zone is %.7g, the limit is %.7g",
+                             static_cast<double>(now.v), static_cast<double>(most)),
+                        knot.t + d, place};
+    }
     const auto [what, value, limit] =
         worst(stretch, judge::curvature_at(stretch, place.t), now, knot.jerk);
     if (value <= limit * (1 + limit_slack) + speed_slack) return std::nullopt;
@@ -70,7 +79,7 @@ class LimitCheck {
   [[nodiscard]] int last_alike(const SpeedKnot& knot, const When& when, int k, int count) const {
     const Stretch& stretch =
         track_.stretches[place_at(track_, after_knot(knot, when(k)).s).stretch];
-    if (knot.jerk != 0 || stretch.rate != 0) return k;
+    if (knot.jerk != 0 || stretch.rate != 0 || !parts_.empty()) return k;
     const Real end = stretch.s + stretch.length;
     int beyond = count + 1;
     while (beyond - k > 1) {
@@ -110,12 +119,14 @@ class LimitCheck {
 
   const Track& track_;
   const Vehicle& vehicle_;
+  const std::vector<judge::PricedPart>& parts_;
 };
 
 /// First broken limit: checked every centimetre and at both ends of constant acceleration.
 std::optional<DriveFault> broken_limit(const SpeedProfile& speeds, const Track& track,
-                                       const Vehicle& vehicle) {
-  const LimitCheck check(track, vehicle);
+                                       const Vehicle& vehicle,
+                                       const std::vector<judge::PricedPart>& parts) {
+  const LimitCheck check(track, vehicle, parts);
   for (std::size_t i = 0; i + 1 < speeds.knots.size(); ++i) {
     const SpeedKnot& knot = speeds.knots[i];
     const Real lasts = static_cast<Real>(speeds.knots[i + 1].t) - knot.t;
@@ -299,6 +310,16 @@ std::optional<DriveFault> company_fault(const Task& task, const SpeedProfile& sp
   return fault;
 }
 
+/// Parts of a track with the limits of zones; empty without such limits.
+std::vector<judge::PricedPart> slow_parts(const Task& task, const Track& track) {
+  const std::vector<Zone>& zones = task.world->local().zones;
+  if (!judge::has_prices(zones)) return {};
+  std::optional<Trailing> trailing;
+  if (task.vehicle.trailer) trailing.emplace(track, task.vehicle, task.hitch_angles.start);
+  return judge::priced_parts(zones, task.vehicle, track, trailing ? &*trailing : nullptr,
+                             judge::AtEdge::outside);
+}
+
 }  // namespace
 
 DriveCheck check_drive(const Problem& problem, const TimedPath& drive, const DriveClaims& claims) {
@@ -310,7 +331,7 @@ DriveCheck check_drive(const Problem& problem, const TimedPath& drive, const Dri
   const Track track = track_of(*problem.world(), drive.path);
   DriveCheck check{.duration = speeds.duration};
   std::optional<DriveFault> fault = judge::false_knots(speeds, track.length, claims.start_speed);
-  if (!fault) fault = broken_limit(speeds, track, task.vehicle);
+  if (!fault) fault = broken_limit(speeds, track, task.vehicle, slow_parts(task, track));
   if (!fault && task.vehicle.limits.max_jerk) {
     fault = judge::acceleration_jump(speeds, claims.start_speed);
   }

@@ -63,7 +63,8 @@ Real time_of(std::vector<FastPlace>& places, const DrivingLimits& limits) {
 
 }  // namespace
 
-double drive_time(const Track& track, const Vehicle& vehicle, double start_curvature) {
+double drive_time(const Track& track, const Vehicle& vehicle, double start_curvature,
+                  const std::vector<PricedPart>& parts) {
   constexpr Real pi = full_turn / 2;
   const Real step = std::max(usual_step, track.length / most_places);
   const Real least =
@@ -73,7 +74,8 @@ double drive_time(const Track& track, const Vehicle& vehicle, double start_curva
   Real curvature = start_curvature;  // curvature to which the wheels are turned [1/m]
   Real direction = 0;
   Real passed_over = 0;
-  for (const Stretch& stretch : track.stretches) {
+  for (std::size_t i = 0; i < track.stretches.size(); ++i) {
+    const Stretch& stretch = track.stretches[i];
     passed_over += stretch.length;
     if (passed_over < least_motion) continue;
     passed_over = 0;
@@ -90,7 +92,8 @@ double drive_time(const Track& track, const Vehicle& vehicle, double start_curva
     const Real count = std::max(least, std::ceil(stretch.length / step));
     for (Real k = 0; k <= count; ++k) {
       const Real t = stretch.length * (1 - std::cos(pi * k / count)) / 2;
-      places.push_back({stretch.s + t, square_at(stretch, t, vehicle)});
+      const Real most = max_speed_at(parts, {i, t});
+      places.push_back({stretch.s + t, std::min(square_at(stretch, t, vehicle), most * most)});
     }
   }
   return static_cast<double>(time + time_of(places, vehicle.limits));

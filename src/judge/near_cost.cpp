@@ -104,7 +104,7 @@ double near_cost(std::span<const Body> bodies, const CostOptions& stated,
   const double distance = *rule.clearance_distance;
   if (!(distance > 0.0)) return 0.0;
   Real sum = 0;
-  for (const auto& [i, begin, end, factor] : parts) {
+  for (const auto& [i, begin, end, factor, max_speed] : parts) {
     const Stretch& stretch = track.stretches[i];
     double swing = 0;
     for (const Body& body : bodies) swing = std::max(swing, speed_of(body, stretch));
@@ -121,7 +121,7 @@ double near_cost(std::span<const Body> bodies, const CostOptions& stated,
 double zone_cost(const Track& track, const CostOptions& stated, std::span<const PricedPart> parts) {
   const CostOptions rule = filled(stated, shortest_style);
   Real sum = 0;
-  for (const auto& [i, begin, end, factor] : parts) {
+  for (const auto& [i, begin, end, factor, max_speed] : parts) {
     if (factor != 1) sum += (factor - 1) * (end - begin) * weight_of(track.stretches[i], rule);
   }
   return static_cast<double>(sum);

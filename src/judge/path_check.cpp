@@ -330,6 +330,17 @@ void find_surcharges(const Task& task, const Bodies& bodies, const Trailing* tra
   found.least_surcharge = has_prices(zones) ? surcharge(AtEdge::outside) : found.most_surcharge;
 }
 
+/// Computes the durations of the fastest drive, with the edges of zones inside and outside of them.
+void find_times(const Task& task, const Track& track, const Trailing* trailing, Found& found) {
+  const std::vector<Zone>& zones = task.world->local().zones;
+  const auto time = [&](AtEdge at_edge) {
+    return drive_time(track, task.vehicle, task.curvatures.start,
+                      priced_parts(zones, task.vehicle, track, trailing, at_edge));
+  };
+  found.most_time = time(AtEdge::inside);
+  found.least_time = has_prices(zones) ? time(AtEdge::outside) : found.most_time;
+}
+
 /// First fault of a path, and its least clearance [m]. `trailing` is null without a trailer.
 std::optional<Fault> first_fault(const Task& task, const Track& track, const Trailing* trailing,
                                  const PathClaims& claims, std::optional<double>& least) {
@@ -360,7 +371,7 @@ std::optional<Fault> first_fault(const Task& task, const Track& track, const Tra
   }
   Found found{.has_jerk_limit = task.vehicle.limits.max_jerk.has_value()};
   if (claims.cost && claims.cost->rule.measure == CostMeasure::time) {
-    found.time = drive_time(track, task.vehicle, task.curvatures.start);
+    find_times(task, track, trailing, found);
   } else if (claims.cost) {
     find_surcharges(task, bodies, trailing, claims.cost->rule, found);
   }

@@ -33,6 +33,8 @@ Real depth_in(const Polygon& area, const Position& place) {
   return least;
 }
 
+bool is_priced(const Zone& zone) { return zone.cost != 1 || zone.max_speed; }
+
 /// Where one zone holds on a track.
 class Holding {
  public:
@@ -43,7 +45,10 @@ class Holding {
     level_ = zone.body ? (is_most ? body_slack : 0.0) : (is_most ? axle_slack : -axle_slack);
   }
 
-  [[nodiscard]] Real factor() const { return zone_.cost; }
+  void apply_to(PricedPart& part) const {
+    part.factor *= zone_.cost;
+    if (zone_.max_speed) part.max_speed = std::min<Real>(part.max_speed, *zone_.max_speed);
+  }
   [[nodiscard]] bool holds(const Place& place) { return distance(place) <= level_; }
 
   /// Adds the places of a stretch where the zone begins or ceases to hold.
@@ -105,14 +110,14 @@ class Holding {
 }  // namespace
 
 bool has_prices(const std::vector<Zone>& zones) {
-  return std::any_of(zones.begin(), zones.end(), [](const Zone& zone) { return zone.cost != 1; });
+  return std::any_of(zones.begin(), zones.end(), is_priced);
 }
 
 std::vector<PricedPart> priced_parts(const std::vector<Zone>& zones, const Vehicle& vehicle,
                                      const Track& track, const Trailing* trailing, AtEdge at_edge) {
   std::vector<std::unique_ptr<Holding>> priced;
   for (const Zone& zone : zones) {
-    if (zone.cost == 1) continue;
+    if (!is_priced(zone)) continue;
     priced.push_back(std::make_unique<Holding>(zone, vehicle, track, trailing, at_edge));
   }
   std::vector<PricedPart> parts;
@@ -125,12 +130,20 @@ std::vector<PricedPart> priced_parts(const std::vector<Zone>& zones, const Vehic
       PricedPart part{i, places[k - 1], places[k]};
       if (!(part.end > part.begin)) continue;
       for (const auto& zone : priced) {
-        if (zone->holds({i, (part.begin + part.end) / 2})) part.factor *= zone->factor();
+        if (zone->holds({i, (part.begin + part.end) / 2})) zone->apply_to(part);
       }
       parts.push_back(part);
     }
   }
   return parts;
+}
+
+Real max_speed_at(const std::vector<PricedPart>& parts, const Place& place) {
+  const auto is_before = [](const PricedPart& part, const Place& there) {
+    return part.stretch != there.stretch ? part.stretch < there.stretch : part.end < there.t;
+  };
+  const auto part = std::lower_bound(parts.begin(), parts.end(), place, is_before);
+  return part == parts.end() ? std::numeric_limits<Real>::infinity() : part->max_speed;
 }
 
 }  // namespace vandplan::judge

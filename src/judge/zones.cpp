@@ -11,7 +11,9 @@
 namespace vandplan::judge {
 namespace {
 
-constexpr double most_moved = 1e-3;     // largest motion of a point of a body between two looks [m]
+// Largest motion of a point of a body between two looks [m]: who cuts a corner by a millimetre is
+// seen.
+constexpr double most_moved = 1e-4;
 constexpr Real direction_slack = 1e-6;  // tolerance of directions of travel [rad]
 constexpr double far_enough = 1.0;      // clearances above are not distinguished [m]
 constexpr int bisections = 80;          // halvings that find a direction on a stretch

@@ -3,7 +3,7 @@
 #pragma once
 // Which rule of which zone does a path break, in the eyes of the judge?
 //
-// Method: docs/algorithms/path_check.md, "Zones".
+// Method: docs/lab/zones.md.
 
 #include <optional>
 #include <span>
@@ -46,8 +46,8 @@ struct BrokenRule {
 };
 
 /// First rule that a path breaks, in the order of the zones. `trailing` is null without a trailer.
-/// The judge looks wherever what the rule is about has moved by a millimetre, unless it is proven
-/// to be outside of the area. A direction of travel may be off by 1e-6 rad.
+/// The judge looks wherever what the rule is about has moved by a tenth of a millimetre, unless it
+/// is proven to be outside of the area. A direction of travel may be off by 1e-6 rad.
 [[nodiscard]] std::optional<BrokenRule> broken_rule(const std::vector<Zone>& zones,
                                                     const Vehicle& vehicle, const Track& track,
                                                     const Trailing* trailing);

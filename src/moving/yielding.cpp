@@ -360,8 +360,8 @@ Yielding begun_later(const Course& course, const SpeedProfile& fastest, const Tr
 }  // namespace
 
 Yielding yielding_speeds(const Path& path, const Vehicle& vehicle, const Traffic& traffic) {
-  std::optional<SpeedProfile> unhindered =
-      speed::profile_from(path, vehicle, {traffic.start_curvature, traffic.start_speed});
+  std::optional<SpeedProfile> unhindered = speed::profile_from(
+      path, vehicle, {traffic.start_curvature, traffic.start_speed, traffic.limits});
   if (!unhindered) return {};
   const SpeedProfile& fastest = *unhindered;
   const Course course{path, vehicle, traffic.start_hitch_angle};

@@ -10,6 +10,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "vandplan/motion.h"
 
@@ -21,7 +22,8 @@ struct Traffic {
   double margin = 0.0;  ///< distance that the vehicle keeps from moving obstacles [m]
   /// Curvature to which the wheels are turned before the drive [1/m].
   double start_curvature = 0.0;
-  double start_hitch_angle = 0.0;  ///< hitch angle before the drive [rad]; 0 without a trailer
+  std::vector<SpeedLimit> limits = {};  ///< limits of places on the path
+  double start_hitch_angle = 0.0;       ///< hitch angle before the drive [rad]; 0 without a trailer
   /// Speed at the start, in the gear of the first segment [m/s]. Above 0, `max_jerk` is ignored.
   double start_speed = 0.0;
   /// Longest duration of a drive to search for [s].

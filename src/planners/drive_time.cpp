@@ -26,7 +26,10 @@ double top_speed(const DrivingLimits& limits) {
 
 double drive_time(const Task& task, std::span<const Segment> segments) {
   const Path path{task.start, {segments.begin(), segments.end()}};
-  return speed_profile(path, task.vehicle, {.start_curvature = task.curvatures.start}).duration;
+  return speed_profile(path, task.vehicle,
+                       {.start_curvature = task.curvatures.start,
+                        .limits = speed_limits(task, start_state(task), segments)})
+      .duration;
 }
 
 double drive_time_lower_bound(const Vehicle& vehicle, const search::CostRule& prices,

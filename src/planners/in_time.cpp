@@ -263,6 +263,7 @@ class InTimeRun {
     moving::Traffic traffic{.moving = task_.moving,
                             .margin = options_.clearance.margin,
                             .start_curvature = task_.curvatures.start,
+                            .limits = speed_limits(task_, start_state(task_), segments),
                             .start_hitch_angle = task_.hitch_angles.start,
                             .longest = longest_of(path_cost),
                             .most_states = most * states_per_iteration,

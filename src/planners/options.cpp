@@ -150,6 +150,15 @@ void refuse_moving(const Planner& planner) {
                                  planners_with(Capability::moving));
 }
 
+void expect_gears_in_zones(const Planner& planner, std::span<const Zone> zones) {
+  const bool ask = std::ranges::any_of(
+      zones, [](const Zone& zone) { return zone.direction || zone.gears != AllowedGears::both; });
+  if (!ask || planner.can(Capability::gears)) return;
+  throw InputError("zones", "ask for gears or directions, which " + planner.name +
+                                " does not honour, expected one of the planners that do: " +
+                                planners_with(Capability::gears));
+}
+
 void unset_prices(PlanOptions& options) {
   const PlanOptions unset;
   for (const CommonOption& common : common_options()) {

@@ -13,6 +13,10 @@ namespace vandplan::planning {
 /// honour them.
 [[noreturn]] void refuse_moving(const Planner& planner);
 
+/// Throws InputError naming "zones" if a zone asks for gears or directions, and the planner does
+/// not know in which gear the vehicle drives.
+void expect_gears_in_zones(const Planner& planner, std::span<const Zone> zones);
+
 /// Takes all prices back.
 void unset_prices(PlanOptions& options);
 

@@ -146,6 +146,7 @@ PlanResult plan(const Problem& problem, const Planner& planner, const PlanOption
   if (!problem.task().moving.empty() && !planner.can(Capability::moving)) {
     planning::refuse_moving(planner);
   }
+  planning::expect_gears_in_zones(planner, problem.world()->local().zones);
   const PlanOptions all = complete(planner, options, problem.vehicle());
   const search::Budget clock(all.budget);
   const Task task = task_of(problem, all.clearance, *all.steering);

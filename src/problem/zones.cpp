@@ -2,12 +2,15 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "problem/zones.h"
 
+#include <cmath>
 #include <cstddef>
 #include <string>
 
 #include "base/text.h"
 #include "problem/checks.h"
 #include "vandplan/input_error.h"
+#include "vandplan/problem.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan::problem {
 namespace {
@@ -20,9 +23,13 @@ void check_zone(const Zone& zone, const std::string& where) {
     throw InputError(where + ".cost",
                      "is " + base::shortest_text(zone.cost) + ", expected 1 to 1000");
   }
+  if (zone.max_speed && !(*zone.max_speed > 0.0)) {
+    throw InputError(where + ".max_speed",
+                     "is " + base::shortest_text(*zone.max_speed) + ", expected more than 0 m/s");
+  }
   const bool has_rule = zone.closed || zone.direction || zone.gears != AllowedGears::both;
-  if (has_rule || zone.cost != 1.0) return;
-  throw InputError(where, "has no rule, expected closed, gears, direction or cost");
+  if (has_rule || zone.cost != 1.0 || zone.max_speed) return;
+  throw InputError(where, "has no rule, expected closed, gears, direction, cost or max_speed");
 }
 
 }  // namespace
@@ -38,3 +45,36 @@ std::vector<Zone> local_zones(const std::vector<Zone>& zones, const Point& origi
 }
 
 }  // namespace vandplan::problem
+
+namespace vandplan {
+
+std::vector<SpeedLimit> speed_limits(const Task& task, const LocalState& from,
+                                     std::span<const Segment> segments) {
+  std::vector<SpeedLimit> limits;
+  if (!task.checker->has_speed_limits()) return limits;
+  LocalState state = from;
+  double s = 0.0;
+  for (const Segment& segment : segments) {
+    for (const GroundPart& part : task.checker->ground_along(state, segment)) {
+      if (std::isinf(part.max_speed)) continue;
+      limits.push_back({s + part.begin, s + part.end, part.max_speed});
+    }
+    s += std::abs(segment.length);
+    state = advance(task.vehicle, state, segment);
+  }
+  return limits;
+}
+
+SpeedOptions speed_options(const Problem& problem, const Path& path) {
+  const Task& task = problem.task();
+  const State start{path.start, task.hitch_angles.start};
+  return {.start_curvature = task.curvatures.start,
+          .limits = speed_limits(task, to_local(*problem.world(), start), path.segments)};
+}
+
+SpeedOptions speed_options(const Scenario& scenario, const Path& path) {
+  if (scenario.zones.empty()) return {.start_curvature = scenario.curvatures.start};
+  return speed_options(make_problem(scenario), path);
+}
+
+}  // namespace vandplan

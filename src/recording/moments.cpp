@@ -82,8 +82,7 @@ std::vector<DriveMoment> planned_moments(const Scenario& scenario, const PlanRes
   const Path& path = *plan.path;
   const Vehicle& vehicle = scenario.vehicle;
   const SpeedProfile speeds =
-      plan.speeds ? *plan.speeds
-                  : speed_profile(path, vehicle, {.start_curvature = scenario.curvatures.start});
+      plan.speeds ? *plan.speeds : speed_profile(path, vehicle, speed_options(scenario, path));
   Trailing trailing(vehicle, path, scenario.hitch_angles.start);
   std::vector<DriveMoment> moments;
   const double step = std::max(moment_step, speeds.duration / most_moments);

@@ -77,6 +77,12 @@ double Ways::cost_of(const TimedPath& drive) const {
   return search::drive_cost(rule, drive.path.segments, driven) + in_time::time_price * time;
 }
 
+/// Limits of zones on the speed along a path that begins with a motion.
+std::vector<SpeedLimit> Ways::limits_along(const Path& path, const RigMotion& begin) const {
+  if (scene_.world->local().zones.empty()) return {};
+  return speed_options(problem_to(scene_, scene_.planned, begin, begin), path).limits;
+}
+
 /// Speeds for a path that the vehicle begins `t` seconds from now; none if none are found.
 std::optional<TimedPath> Ways::timed(const Path& path, const RigMotion& begin, double t,
                                      double margin, const WorkLimit& limit, double longest) {
@@ -88,6 +94,7 @@ std::optional<TimedPath> Ways::timed(const Path& path, const RigMotion& begin, d
                                 // contains it.
                                 .margin = margin + t * largest_growth(moving),
                                 .start_curvature = begin.curvature,
+                                .limits = limits_along(path, begin),
                                 .start_hitch_angle = begin.hitch_angle,
                                 .start_speed = speed,
                                 .longest = longest,
@@ -192,8 +199,9 @@ std::optional<NewDrive> Ways::to_goal(Look look, const CutDrive& rest, const Wis
   if (!tail) return std::nullopt;
   // The fastest speeds give a lower bound of the cost.
   const RigMotion& begin = after.begin;
-  const auto fastest =
-      speed::profile_from(*tail, scene_.planned, {begin.curvature, standing_or(speed_of(begin))});
+  const std::vector<SpeedLimit> limits = limits_along(*tail, begin);
+  const auto fastest = speed::profile_from(*tail, scene_.planned,
+                                           {begin.curvature, standing_or(speed_of(begin)), limits});
   if (!fastest) return std::nullopt;
   const double left = wish.most - cost_of(joined(prefix, {*tail, *fastest}));
   if (left <= 0.0) return std::nullopt;

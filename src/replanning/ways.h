@@ -98,6 +98,8 @@ class Ways {
   [[nodiscard]] const Work& work() const noexcept { return work_; }
 
  private:
+  [[nodiscard]] std::vector<SpeedLimit> limits_along(const Path& path,
+                                                     const RigMotion& begin) const;
   [[nodiscard]] std::optional<TimedPath> timed(const Path& path, const RigMotion& begin, double t,
                                                double margin, const WorkLimit& limit,
                                                double longest);

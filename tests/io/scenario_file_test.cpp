@@ -124,13 +124,15 @@ class ScenarioWithMap : public testing::Test {
 TEST_F(ScenarioWithMap, ZonesAndMasksAreReadAndWritten) {
   const Scenario scenario = read(
       "bounds: {x: [-50, 50], y: [-40, 40]}\nobstacles: []\nzones:\n"
-      "  - {name: a \"lawn\", area: [[1, 2], [3, 2], [3, 4]], closed: true, body: true}\n"
+      "  - {name: a \"lawn\", area: [[1, 2], [3, 2], [3, 4]], closed: true, max_speed: 1.2, body: "
+      "true}\n"
       "  - {area: [[1, 2], [3, 2], [3, 4]], gears: reverse, direction: [0.5, 1.1], cost: 2.5}\n"
       "masks:\n  - {map: map.yaml, as: obstacles}\n");
   const Polygon area{{1, 2}, {3, 2}, {3, 4}};
   ASSERT_EQ(scenario.zones.size(), 2U);
-  EXPECT_EQ(scenario.zones[0],
-            (Zone{.name = "a \"lawn\"", .area = area, .closed = true, .body = true}));
+  EXPECT_EQ(
+      scenario.zones[0],
+      (Zone{.name = "a \"lawn\"", .area = area, .closed = true, .max_speed = 1.2, .body = true}));
   EXPECT_EQ(scenario.zones[1], (Zone{.area = area,
                                      .gears = AllowedGears::reverse,
                                      .direction = HeadingRange{0.5, 1.1},
@@ -146,8 +148,9 @@ TEST_F(ScenarioWithMap, ZonesAndMasksAreReadAndWritten) {
 
 TEST_F(ScenarioWithMap, FaultsOfZonesAndMasksNameTheirLine) {
   const auto fault = [&](const std::string& zones) { return message("map: map.yaml\n" + zones); };
-  EXPECT_EQ(fault("zones:\n  - {area: [[0, 0], [1, 0], [1, 1]]}\n"),
-            "s.yaml:7: zones[0]: has no rule, expected closed, gears, direction or cost");
+  EXPECT_EQ(
+      fault("zones:\n  - {area: [[0, 0], [1, 0], [1, 1]]}\n"),
+      "s.yaml:7: zones[0]: has no rule, expected closed, gears, direction, cost or max_speed");
   EXPECT_EQ(fault("zones:\n  - {area: [[0, 0], [1, 0], [1, 1]], gears: fast}\n"),
             "s.yaml:7: zones[0].gears: is \"fast\", expected both, forward or reverse");
   EXPECT_EQ(fault("zones:\n  - {area: [[0, 0], [1, 0], [1, 1]], closed: 1}\n"),

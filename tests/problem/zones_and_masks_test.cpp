@@ -16,6 +16,7 @@
 #include "support/place_of_error.h"
 #include "support/problems.h"
 #include "vandplan/judge.h"
+#include "vandplan/motion.h"
 #include "vandplan/planner.h"
 #include "vandplan/search.h"
 #include "vandplan/vehicle.h"
@@ -126,8 +127,8 @@ TEST(Zones, TheJudgeRefusesWhatBreaksARuleByAMillimetre) {
   EXPECT_TRUE(check(street, {{10, 0, 0}, {{0.1, 5}}}).valid);
   EXPECT_FALSE(check(street, {{10, 0, 0}, {{0.1, 5.001}}}).valid);
   // The wheels turn on the way.
-  EXPECT_TRUE(check(street, {{10, 0, 0}, {{0, 5, 0.04}}}).valid);
-  EXPECT_FALSE(check(street, {{10, 0, 0}, {{0, 5.001, 0.04}}}).valid);
+  EXPECT_TRUE(check(street, {{10, 0, 0}, {{0, std::sqrt(50), 0.02}}}).valid);
+  EXPECT_FALSE(check(street, {{10, 0, 0}, {{0, 7.073, 0.02}}}).valid);
 }
 
 TEST(Zones, OfTheBodyHoldForTheTrailerToo) {
@@ -163,11 +164,36 @@ TEST(Zones, AreChecked) {
   EXPECT_EQ(fault({.area = box(0, 0, 1, 1)}), "zones[1]");
   EXPECT_EQ(fault({.area = box(0, 0, 1, 1), .cost = 0.5}), "zones[1].cost");
   EXPECT_EQ(fault({.area = box(0, 0, 1, 1), .cost = 1001}), "zones[1].cost");
+  EXPECT_EQ(fault({.area = box(0, 0, 1, 1), .max_speed = 0}), "zones[1].max_speed");
   EXPECT_EQ(fault({.area = {{0, 0}, {1, 1}}, .closed = true}), "zones[1].area");
   EXPECT_EQ(fault({.area = box(0, 0, 1, 1), .direction = HeadingRange{0, 7}}),
             "zones[1].direction");
   EXPECT_EQ(fault({.area = box(0, 0, 1, 1), .direction = HeadingRange{0, std::nan("")}}),
             "zones[1].direction");
+}
+
+TEST(Zones, AreRefusedByPlannersThatDoNotKnowTheGear) {
+  const auto place = [](const Zone& zone) {
+    const Problem problem = make_problem(with_zones({0, 0, 0}, {40, 0, 0}, {zone}));
+    return place_of_error([&] { (void)plan(problem, planner_named("prm"), of_iterations(100)); });
+  };
+  EXPECT_EQ(place({.area = box(15, -5, 25, 5), .gears = AllowedGears::forward}), "zones");
+  EXPECT_EQ(place({.area = box(15, -5, 25, 5), .direction = HeadingRange{-1, 1}}), "zones");
+  EXPECT_EQ(place({.area = box(15, -5, 25, 5), .closed = true}), "nothing");
+}
+
+TEST(Zones, OfAllKindsAreHonouredByEveryPlanner) {
+  const std::vector<Zone> zones = {{.area = box(10, -4, 14, 4), .direction = HeadingRange{-1, 1}},
+                                   {.area = box(16, -4, 20, 4), .gears = AllowedGears::forward},
+                                   {.area = box(22, -20, 24, -1), .closed = true, .body = true},
+                                   {.area = box(26, -4, 30, 4), .cost = 2}};
+  const Problem problem = make_problem(with_zones({0, 0, 0}, {40, 0, 0}, zones));
+  for (const Planner& planner : planners()) {
+    if (!planner.can(Capability::gears)) continue;
+    const PlanResult result = plan(problem, planner, of_iterations(300));
+    EXPECT_NE(result.status, PlanStatus::rejected) << planner.name << ": " << result.reason;
+    EXPECT_NE(result.status, PlanStatus::no_path) << planner.name;
+  }
 }
 
 /// Cost of a path by the options, as planners compute it.
@@ -226,7 +252,7 @@ TEST(PricesOfZones, AreJudged) {
     PathClaims claims{.cost = StatedCost{.cost = cost, .rule = shortest_style}};
     const PathCheck check = check_path(problem, path, claims);
     EXPECT_TRUE(check.valid) << check.reason;
-    claims.cost->cost = 1.01 * cost;
+    claims.cost->cost = 1.05 * cost + 0.2;
     EXPECT_FALSE(check_path(problem, path, claims).valid);
   });
 }
@@ -240,6 +266,35 @@ TEST(PricesOfZones, LeadAround) {
   EXPECT_LT(result.cost, 60);
   ASSERT_TRUE(result.lower_bound);
   EXPECT_LE(*result.lower_bound, result.cost);
+}
+
+TEST(SpeedsOfZones, HoldFromEdgeToEdge) {
+  const Problem problem = make_problem(with_zones({0, 0, 0}, {60, 0, 0},
+                                                  {{.area = box(20, -5, 40, 5), .max_speed = 0.5},
+                                                   {.area = box(30, -5, 60, 5), .max_speed = 1}}));
+  const Path path{{0, 0, 0}, {{0, 60}}};
+  const SpeedOptions options = speed_options(problem, path);
+  const SpeedProfile speeds = speed_profile(path, problem.vehicle(), options);
+  for (const Motion& motion : sampled(path, problem.vehicle(), speeds, 0.01)) {
+    const double most = motion.pose.x < 20 ? 100 : motion.pose.x < 40 ? 0.5 : 1;
+    EXPECT_LE(motion.v, most + 1e-3) << motion.pose.x;
+  }
+  EXPECT_GT(speeds.duration, 40 + 20);
+  EXPECT_LT(speeds.duration, 40 + 20 + 15);
+  EXPECT_TRUE(check_drive(problem, {path, speeds}).valid);
+  const DriveCheck fast = check_drive(problem, {path, speed_profile(path, problem.vehicle())});
+  EXPECT_EQ(fast.reason.substr(0, 22), "the speed in a zone is");
+}
+
+TEST(SpeedsOfZones, CountInTheCostThatIsTheTime) {
+  const Zone slow{.area = box(10, -8, 30, 3), .max_speed = 0.2};
+  const Problem problem = make_problem(with_zones({0, 0, 0}, {40, 0, 0}, {slow}));
+  PlanOptions options = of_iterations(3000);
+  options.cost.measure = CostMeasure::time;
+  const PlanResult result = plan(problem, options);
+  if (is_sanitized && !result.path) return;
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  EXPECT_LT(result.cost, 60);  // straight on it takes 100 s and more
 }
 
 TEST(Masks, AreCoveredByRectangles) {

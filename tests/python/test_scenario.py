@@ -37,6 +37,27 @@ def test_a_scenario_holds_what_it_was_given():
     assert "mine" in repr(scenario)
 
 
+def test_zones_and_masks_are_values(tmp_path):
+    area = [(15, -5), (25, -5), (25, 8), (15, 8)]
+    lawn = vp.Zone(area, name="lawn", closed=True)
+    street = vp.Zone(area, gears="forward", direction=(-1, 1), cost=3, max_speed=2, body=True)
+    assert pickle.loads(pickle.dumps([lawn, street])) == [lawn, street] and lawn != street
+    assert (street.gears, street.direction, street.cost, street.body) == ("forward", (-1, 1), 3, True)
+    keepout = vp.OccupancyGrid([[100, 0], [0, -1]], 2.0, (16, 20, 0))
+    scenario = vp.Scenario(
+        (0, 0, 0), (40, 0, 0), bounds=(-30, 80, -40, 40), zones=[lawn, street], masks=[keepout]
+    )
+    scenario.save(tmp_path / "yard.yaml")
+    for same in (pickle.loads(pickle.dumps(scenario)), vp.read_scenario(tmp_path / "yard.yaml")):
+        assert same.zones == [lawn, street]
+        assert np.array_equal(same.masks[0].cells, keepout.cells)
+    verdict = vp.check(scenario, vp.Path((0, 0, 0), [(0, 40)]))
+    assert verdict.reason == "the rear axle is in zones[0] (lawn), which is closed"
+    assert verdict.hit == {"what": "zones", "index": 0}
+    with pytest.raises(vp.InputError, match="gears"):
+        vp.Zone(area, gears="fast")
+
+
 def test_a_vehicle_is_a_value_with_the_names_of_files():
     van = vp.Vehicle(wheelbase=3.0, width=2.0, max_speed=(5, 2), max_jerk=1.5)
     assert (van.wheelbase, van.width, van.max_speed, van.max_jerk) == (3.0, 2.0, (5, 2), 1.5)

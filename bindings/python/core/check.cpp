@@ -46,8 +46,7 @@ Verdict judged(const Problem& problem, const Path& path, const PathClaims& claim
   if (!checked.valid || !has_times) return {std::move(checked)};
   const TimedPath drive =
       given ? given->timed()
-            : TimedPath{path, speed_profile(path, problem.vehicle(),
-                                            {.start_curvature = problem.curvatures().start})};
+            : TimedPath{path, speed_profile(path, problem.vehicle(), speed_options(problem, path))};
   const DriveClaims stated{.margin = claims.clearance.margin,
                            .start_speed = given ? given->start_speed : 0.0};
   return with_drive(std::move(checked), check_drive(problem, drive, stated),
@@ -108,8 +107,8 @@ void bind_path_check(py::module_& module) {
           "hit", &Verdict::hit,
           R"(Object that is hit, or area that is left, if that is the fault: a dict; otherwise None.
 
-"what" is a key of the scenario: "obstacles", "kerbs", "inside" (each with its number as "index"),
-"map" or "bounds".)")
+"what" is a key of the scenario: "obstacles", "kerbs", "inside", "zones", "masks" (each with its
+number as "index"), "map" or "bounds".)")
       .field("goal", &Verdict::goal,
              "Goal of a set that the path ends at, a `ReachedGoal`; None without a set of goals.")
       .field("length", &Verdict::length, "Driven distance [m].")

@@ -56,6 +56,7 @@ PYBIND11_MODULE(_core, module) {
   own::bind_vehicle(module);
   own::bind_grid(module);
   own::bind_goal(module);
+  own::bind_zone(module);
   own::bind_scenario(module);
   own::bind_lengths(module);
   own::bind_own_planner(module);

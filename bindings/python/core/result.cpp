@@ -148,8 +148,8 @@ void bind_result_class(py::module_& module) {
       "hit", [](const PlanResult& r) { return r.hit; },
       R"(Object that a start or goal in collision hits: a dict; otherwise None.
 
-"what" is a key of the scenario: "obstacles", "kerbs" or "inside" (each with its number as "index"),
-"map" (with the middle of the cell [m] as "cell") or "bounds".)");
+"what" is a key of the scenario: "obstacles", "kerbs", "inside", "zones" or "masks" (each with
+its number as "index"), "map" (with the middle of the cell [m] as "cell") or "bounds".)");
   property(
       "path", [](const PlanResult& r) { return r.path; }, "The path, or None.");
   property(

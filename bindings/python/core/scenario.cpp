@@ -69,7 +69,8 @@ CheckedScenario make_scenario(const py::object& start, const py::object& goal,
                               double goal_curvature, double start_hitch_angle,
                               double goal_hitch_angle, const std::string& name,
                               const py::dict& options, const std::vector<MovingObstacle>& moving,
-                              const py::object& inside, const py::object& grid) {
+                              const py::object& inside, const std::vector<Zone>& zones,
+                              const std::vector<OccupancyGrid>& masks, const py::object& grid) {
   if (!grid.is_none()) warn_of_old_name("grid", "map");
   Scenario scenario{.name = name,
                     .vehicle = vehicle_from(vehicle),
@@ -80,8 +81,13 @@ CheckedScenario make_scenario(const py::object& start, const py::object& goal,
                     .obstacles = polygons_from(obstacles, "obstacles"),
                     .kerbs = polygons_from(kerbs, "kerbs"),
                     .inside = polygons_from(inside, "inside"),
+                    .zones = zones,
                     .map = map_from(map.is_none() ? grid : map, resolution, origin),
                     .moving = moving};
+  for (const OccupancyGrid& mask : masks) {
+    const std::string number = std::to_string(scenario.masks.size());
+    scenario.masks.push_back({name + ".mask" + number + ".yaml", mask});
+  }
   scenario.bounds = bounds_from(bounds, scenario.map);
   if (scenario.goal_set.empty()) scenario.goal = pose_from(goal, "goal");
   warn_of_degrees({&scenario.start, 1}, "start");
@@ -106,16 +112,23 @@ CheckedScenario scenario_of(const FileName& file) {
   throw InputError(file.string(), "has a row of goals, which read_scenarios reads");
 }
 
-/// Writes the scenario, and its map in files beside it.
+/// Writes the scenario, and its map and masks in files beside it.
 void save_scenario(const CheckedScenario& self, const FileName& name) {
   const std::string file = name.string();
+  const std::string stem = file.substr(0, file.rfind(".yaml"));
+  // Writes a map. Returns its name for files in the same folder.
+  const auto written = [&](const OccupancyGrid& map, const std::string& kind) {
+    const std::string path = stem + "." + kind;
+    const std::string beside = path.substr(path.rfind('/') + 1);
+    write_file(path + ".pgm", map_to_pgm(map));
+    write_file(path + ".yaml", map_to_yaml(map, beside + ".pgm"));
+    return beside + ".yaml";
+  };
   ScenarioFile content = self.file();
-  if (content.scenario.map) {
-    const std::string stem = file.substr(0, file.rfind(".yaml"));
-    const auto name_of = [](const std::string& path) { return path.substr(path.rfind('/') + 1); };
-    content.scenario.map_file = name_of(stem) + ".map.yaml";
-    write_file(stem + ".map.pgm", map_to_pgm(*content.scenario.map));
-    write_file(stem + ".map.yaml", map_to_yaml(*content.scenario.map, name_of(stem) + ".map.pgm"));
+  Scenario& scenario = content.scenario;
+  if (scenario.map) scenario.map_file = written(*scenario.map, "map");
+  for (std::size_t i = 0; i < scenario.masks.size(); ++i) {
+    scenario.masks[i].map_file = written(scenario.masks[i].map, "mask" + std::to_string(i));
   }
   write_file(file, to_yaml(content));
 }
@@ -139,14 +152,25 @@ CheckedScenario among(const CheckedScenario& self, const std::vector<MovingObsta
   return self.with_moving(moving);
 }
 
-/// State for pickle: the text of the scenario's file, and its map.
+using FileAndMap = std::pair<std::string, OccupancyGrid>;
+
+/// State for pickle: the text of the scenario's file without masks, its map and its masks.
 py::tuple state_of_scenario(const CheckedScenario& self) {
-  return py::make_tuple(to_yaml(self.file()), self.scenario().map);
+  ScenarioFile file = self.file();
+  std::vector<FileAndMap> masks;
+  for (const Mask& mask : file.scenario.masks) masks.emplace_back(mask.map_file, mask.map);
+  file.scenario.masks.clear();
+  return py::make_tuple(to_yaml(file), self.scenario().map, masks);
 }
 
 CheckedScenario scenario_from_state(const py::tuple& state) {
   ScenarioFile file = scenario_from_yaml(state[0].cast<std::string>(), "pickle",
                                          state[1].cast<std::optional<OccupancyGrid>>());
+  if (state.size() > 2) {
+    for (const auto& [name, map] : state[2].cast<std::vector<FileAndMap>>()) {
+      file.scenario.masks.push_back({name, map});
+    }
+  }
   return CheckedScenario(std::move(file.scenario), std::move(file.options));
 }
 
@@ -210,6 +234,16 @@ void bind_scenario_data(py::class_<CheckedScenario>& scenario) {
       "inside", [](const Scenario& s) { return arrays_of(s.inside); },
       "Areas, in one of which the whole body must stay; empty: anywhere.");
   property(
+      "zones", [](const Scenario& s) { return s.zones; }, "Zones, `Zone` objects.");
+  property(
+      "masks",
+      [](const Scenario& s) {
+        std::vector<OccupancyGrid> maps;
+        for (const Mask& mask : s.masks) maps.push_back(mask.map);
+        return maps;
+      },
+      "Further maps, `OccupancyGrid` objects, whose occupied cells are obstacles.");
+  property(
       "map", [](const Scenario& s) { return s.map; }, "The map, an `OccupancyGrid`, or None.");
   add_old_property(scenario, "grid", "map",
                    [](const CheckedScenario& self) { return self.scenario().map; });
@@ -230,7 +264,7 @@ void bind_scenario_class(py::module_& module) {
   py::class_<CheckedScenario> scenario(module, "Scenario", R"(Scenario(start, goal, *, bounds=None,
     obstacles=(), kerbs=(), map=None, resolution=None, origin=None, vehicle=None,
     start_curvature=0, goal_curvature=0, start_hitch_angle=0, goal_hitch_angle=0, name="scenario",
-    options={}, moving=(), inside=())
+    options={}, moving=(), inside=(), zones=(), masks=())
 
 A planning problem, checked and immutable. Units are metres and radians.
 
@@ -240,6 +274,8 @@ A planning problem, checked and immutable. Units are metres and radians.
 - `obstacles`, `kerbs`: simple polygons, arrays of shape (N, 2) or polygons of shapely and
   geopandas without holes. Only the wheels keep off kerbs.
 - `inside`: simple polygons, in one of which the whole body must stay.
+- `zones`: `Zone` objects: ground with rules of its own.
+- `masks`: `OccupancyGrid` objects, of which only occupied cells count: they are obstacles.
 - `map`: an `OccupancyGrid`, or a 2-D array with its `resolution` and `origin`.
 - `moving`: `MovingObstacle` objects.
 - `vehicle`: a `Vehicle`, a name, or a dict; None: a truck.
@@ -255,6 +291,7 @@ Raises InputError naming the argument that is wrong.)");
            "start_curvature"_a = 0.0, "goal_curvature"_a = 0.0, "start_hitch_angle"_a = 0.0,
            "goal_hitch_angle"_a = 0.0, "name"_a = "scenario", "options"_a = py::dict(),
            "moving"_a = std::vector<MovingObstacle>{}, "inside"_a = py::tuple(),
+           "zones"_a = std::vector<Zone>{}, "masks"_a = std::vector<OccupancyGrid>{},
            "grid"_a = py::none())
       .def("with_poses", &moved, "start"_a = py::none(), "goal"_a = py::none(),
            R"(with_poses(start=None, goal=None) -> Scenario
@@ -271,7 +308,8 @@ is built again.)")
           "too.")
       .def("save", &save_scenario, "file"_a, R"(save(file)
 
-Writes a scenario file for the command line, and a map in files beside it (.map.yaml, .map.pgm).)")
+Writes a scenario file for the command line. Map and masks go to files beside it (.map.yaml,
+.map.pgm, .mask0.yaml).)")
       .def("__repr__", &scenario_text)
       .def(py::pickle(&state_of_scenario, &scenario_from_state))
       .def("__copy__", [](const CheckedScenario& self) { return self; })

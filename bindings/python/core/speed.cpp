@@ -59,8 +59,8 @@ py::dict motions_at(const PathDrive& self, const py::object& t) {
 }
 
 /// Fastest drive of a vehicle along a path.
-PathDrive fastest_drive(const Path& path, const Vehicle& vehicle, double start_curvature) {
-  return {path, vehicle, speed_profile(path, vehicle, {start_curvature})};
+PathDrive fastest_drive(const Path& path, const Vehicle& vehicle, const SpeedOptions& options) {
+  return {path, vehicle, speed_profile(path, vehicle, options)};
 }
 
 /// Drive of a vehicle that heeds nobody.
@@ -70,7 +70,8 @@ PathDrive drive_of(const py::object& vehicle, const py::object& path, double sta
                      "is given, but the times of this result are those of its own "
                      "vehicle among what moves; pass result.path for others");
   }
-  return fastest_drive(path_from(path), vehicle_from(vehicle), start_curvature);
+  return fastest_drive(path_from(path), vehicle_from(vehicle),
+                       {.start_curvature = start_curvature});
 }
 
 /// Drive of a scenario's vehicle: the planned one, if the path has times.
@@ -84,8 +85,10 @@ PathDrive drive_in(const Scenario& scenario, const py::object& path,
                      "has no times, and something moves in its scenario: pass its vehicle "
                      "for a drive that heeds nobody");
   }
-  return fastest_drive(path_from(path), scenario.vehicle,
-                       start_curvature.value_or(scenario.curvatures.start));
+  const Path given = path_from(path);
+  SpeedOptions options = speed_options(scenario, given);
+  if (start_curvature) options.start_curvature = *start_curvature;
+  return fastest_drive(given, scenario.vehicle, options);
 }
 
 /// Drive by the arguments of version 0.2: speed_profile(path, vehicle=None, start_curvature=0).

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "vandplan/input_error.h"
+#include "vandplan/plan_options.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan::web {
@@ -194,6 +195,57 @@ std::vector<MovingObstacle> moving_at(const val& object) {
   return moving;
 }
 
+Zone zone_from(const val& given, const std::string& where) {
+  allow_only(given, {"name", "area", "closed", "gears", "direction", "cost", "max_speed", "body"},
+             where);
+  const auto flag = [&](const char* key) {
+    if (!has(given, key)) return false;
+    if (!given[key].isTrue() && !given[key].isFalse()) {
+      throw InputError(key_of(where, key), "expected true or false");
+    }
+    return given[key].isTrue();
+  };
+  Zone zone{.area = polygon_from(given["area"], key_of(where, "area")),
+            .closed = flag("closed"),
+            .cost = number_at(given, "cost", where, 1.0),
+            .body = flag("body")};
+  if (has(given, "name")) zone.name = given["name"].as<std::string>();
+  if (has(given, "max_speed")) zone.max_speed = number_at(given, "max_speed", where);
+  if (has(given, "gears")) zone.gears = gears_named(given["gears"].as<std::string>());
+  if (has(given, "direction")) {
+    const Point ends = point_from(given["direction"], key_of(where, "direction"));
+    zone.direction = HeadingRange{ends.x, ends.y};
+  }
+  return zone;
+}
+
+std::vector<Zone> zones_at(const val& object) {
+  std::vector<Zone> zones;
+  if (!has(object, "zones")) return zones;
+  const val list = object["zones"];
+  const std::size_t count = size_of(list, "zones");
+  for (std::size_t i = 0; i < count; ++i) {
+    zones.push_back(zone_from(list[i], "zones[" + std::to_string(i) + "]"));
+  }
+  return zones;
+}
+
+std::vector<Mask> masks_at(const val& object) {
+  std::vector<Mask> masks;
+  if (!has(object, "masks")) return masks;
+  const val list = object["masks"];
+  const std::size_t count = size_of(list, "masks");
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string where = "masks[" + std::to_string(i) + "]";
+    allow_only(list[i], {"map", "as"}, where);
+    if (list[i]["as"].as<std::string>() != "obstacles") {
+      throw InputError(key_of(where, "as"), "expected obstacles");
+    }
+    masks.push_back({"", map_from(list[i]["map"])});
+  }
+  return masks;
+}
+
 }  // namespace
 
 Polygon polygon_from(const val& corners, const std::string& where) {
@@ -276,7 +328,7 @@ Vehicle vehicle_from(const val& given) {
 Scenario scenario_from(const val& given) {
   allow_only(given,
              {"name", "description", "vehicle", "bounds", "start", "goal", "obstacles", "kerbs",
-              "inside", "map", "moving"},
+              "inside", "zones", "map", "masks", "moving"},
              "");
   Scenario scenario;
   if (has(given, "vehicle")) scenario.vehicle = vehicle_from(given["vehicle"]);
@@ -302,6 +354,8 @@ Scenario scenario_from(const val& given) {
   scenario.obstacles = polygons_at(given, "obstacles");
   scenario.kerbs = polygons_at(given, "kerbs");
   scenario.inside = polygons_at(given, "inside");
+  scenario.zones = zones_at(given);
+  scenario.masks = masks_at(given);
   scenario.moving = moving_at(given);
   return scenario;
 }
