@@ -205,6 +205,24 @@ class GoalRegion:
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
 
+class Mask:
+    def __init__(
+        self,
+        map: OccupancyGrid,
+        *,
+        max_speed: float | None = None,
+        cost: float | None = None,
+        percents: ArrayLike | None = None,
+    ) -> None: ...
+    @property
+    def map(self) -> OccupancyGrid: ...
+    @property
+    def max_speed(self) -> float | None: ...
+    @property
+    def cost(self) -> float | None: ...
+    @property
+    def percents(self) -> NDArray[np.int8] | None: ...
+
 class Zone:
     def __init__(
         self,
@@ -288,7 +306,7 @@ class Scenario:
         moving: Sequence[MovingObstacle] = (),
         inside: Iterable[_Outline] | _Shape = ...,
         zones: Sequence[Zone] = (),
-        masks: Sequence[OccupancyGrid] = (),
+        masks: Sequence[Mask | OccupancyGrid] = (),
         grid: OccupancyGrid | ArrayLike | None = None,  # old name
     ) -> None: ...
     def with_poses(
@@ -330,7 +348,7 @@ class Scenario:
     @property
     def zones(self) -> list[Zone]: ...
     @property
-    def masks(self) -> list[OccupancyGrid]: ...
+    def masks(self) -> list[Mask]: ...
     @property
     def map(self) -> OccupancyGrid | None: ...
     @property

@@ -162,10 +162,15 @@ export interface Zone {
   body?: boolean;
 }
 
-/** Further map, of which only occupied cells count. */
+/** Further map, of which unknown cells say nothing. */
 export interface Mask {
   map: OccupancyMap;
-  as: 'obstacles';
+  /** Occupied cells are obstacles; or cells limit the speed, or a metre costs more in them. */
+  as: 'obstacles' | 'max_speed' | 'cost';
+  /** In a cell occupied by p percent: largest speed (1 - p / 100) `of` [m/s], or cost 1 + p / 100 `of`. */
+  of?: number;
+  /** Occupancy of each cell, 0 to 100; 255 is unknown. By default 100 for occupied and 0 for free ones. */
+  percents?: Uint8Array;
 }
 
 /** Scenario, with the keys of scenario files. */

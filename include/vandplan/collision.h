@@ -13,6 +13,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "vandplan/geometry.h"
@@ -35,20 +36,45 @@ struct Zone {
   /// Directions of travel that are allowed: headings of the vehicle, turned by half a turn in
   /// reverse. None: any direction.
   std::optional<HeadingRange> direction = {};
-  double cost = 1.0;  ///< how many times as much a metre costs there; 1 to 1000
+  double cost = 1.0;                     ///< how many times as much a metre costs there; 1 to 1000
   std::optional<double> max_speed = {};  ///< largest speed there, in either gear [m/s]; > 0
   /// Whether the rules hold while any part of the vehicle or its trailer is in the area.
   bool body = false;
   bool operator==(const Zone&) const = default;
 };
 
-/// A further map, as Nav2 has for its costmap filters. Its occupied cells are obstacles. Unknown
-/// cells and the ground outside say nothing.
+/// What the cells of a mask are.
+enum class MaskUse : std::uint8_t {
+  obstacles,  ///< occupied cells are obstacles
+  max_speed,  ///< cells limit the speed; a cell of 0 % sets no limit
+  cost,       ///< metres cost more
+};
+
+/// Name of a use in files: "obstacles", "max_speed" or "cost".
+[[nodiscard]] std::string_view name_of(MaskUse use) noexcept;
+
+/// A further map, as Nav2 has for its costmap filters. Unknown cells and the ground outside say
+/// nothing. Speeds and costs hold while the midpoint of the rear axle is in the cell. A cell that
+/// is occupied by p percent has the value `base` + `multiplier` * p.
 struct Mask {
+  /// Percentage that stands for an unknown cell.
+  static constexpr std::uint8_t unknown = 255;
+
   std::string map_file = {};  ///< file of the map
   OccupancyGrid map = {};     ///< the map; `unknown_is_free` is ignored
-  std::size_t blocks = 0;     ///< number of obstacles that stand for it; a world sets it
+  MaskUse use = MaskUse::obstacles;
+  double base = 0.0;        ///< value where nothing is occupied [m/s]; of costs a factor
+  double multiplier = 0.0;  ///< change of the value for each percent
+  /// Occupancy of each cell, in the order of the map's cells: 0 to 100 or `unknown`. None: occupied
+  /// cells have 100 and free ones 0.
+  std::shared_ptr<const std::vector<std::uint8_t>> percents = {};
+  std::size_t blocks = 0;  ///< number of obstacles that stand for it; a world sets it
 };
+
+/// A mask whose cells limit the speed to (1 - p) * `speed` [m/s] where they are occupied by p.
+[[nodiscard]] Mask speed_mask(OccupancyGrid map, double speed);
+/// A mask where a metre costs 1 + p * `most` times as much in a cell that is occupied by p.
+[[nodiscard]] Mask cost_mask(OccupancyGrid map, double most);
 
 /// Bounds, obstacles, kerbs, map and zones, all in one frame.
 struct Surroundings {
@@ -129,10 +155,11 @@ class CollisionChecker {
   /// Checker of a vehicle among surroundings, whose frame it has. The polygons must be simple.
   CollisionChecker(const Vehicle& vehicle, const Surroundings& surroundings,
                    const Margin& margin = {});
-  /// Checker of a vehicle on a ground that many vehicles share, with zones in the same frame.
-  /// `World::checker` calls it.
+  /// Checker of a vehicle on a ground that many vehicles share, with zones and masks in the same
+  /// frame. `World::checker` calls it.
   CollisionChecker(const Vehicle& vehicle, std::shared_ptr<const collision::Ground> ground,
-                   const Margin& margin = {}, std::span<const Zone> zones = {});
+                   const Margin& margin = {}, std::span<const Zone> zones = {},
+                   std::span<const Mask> masks = {});
   ~CollisionChecker();
   CollisionChecker(const CollisionChecker&) = delete;
   CollisionChecker& operator=(const CollisionChecker&) = delete;
@@ -150,12 +177,12 @@ class CollisionChecker {
   [[nodiscard]] bool is_free(const LocalState& from, std::span<const Segment> segments,
                              InTime in_time = InTime::onward) const noexcept;
 
-  /// Whether a zone has a price, and whether one has a largest speed.
+  /// Whether a zone or mask has a price, and whether one has a largest speed.
   [[nodiscard]] bool has_prices() const noexcept;
   [[nodiscard]] bool has_speed_limits() const noexcept;
-  /// The parts of a segment from `from`, from its begin to its end, with what zones say there. The
-  /// places where the rear axle enters and leaves an area are exact but for rounding. For a whole
-  /// body they are off by at most a millimetre.
+  /// The parts of a segment from `from`, from its begin to its end, with what zones and masks say
+  /// there. The places where the rear axle enters and leaves an area are exact but for rounding.
+  /// For a whole body they are off by at most a millimetre.
   [[nodiscard]] std::vector<GroundPart> ground_along(const LocalState& from,
                                                      const Segment& segment) const;
 

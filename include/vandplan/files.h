@@ -157,6 +157,11 @@ struct ScenarioProblems {
 /// A map as the YAML text that names the image file `image`. `read_map` reads text and image back.
 [[nodiscard]] std::string map_to_yaml(const OccupancyGrid& grid, const std::string& image);
 
+/// `map_to_pgm` and `map_to_yaml` of a mask: with its percentages, if it has them, as a map of mode
+/// raw.
+[[nodiscard]] std::string mask_to_pgm(const Mask& mask);
+[[nodiscard]] std::string mask_to_yaml(const Mask& mask, const std::string& image);
+
 /// The vehicle of the catalogue with that name, such as "city-bus". Throws InputError naming
 /// "vehicle" if there is none.
 [[nodiscard]] Vehicle vehicle_named(std::string_view name);

@@ -115,7 +115,8 @@ class World {
   /// is wrong.
   [[nodiscard]] std::shared_ptr<const CollisionChecker> checker(const Vehicle& vehicle,
                                                                 const Margin& margin = {}) const;
-  /// `checker` that knows no zones: for bodies that are only a part of a vehicle.
+  /// `checker` that knows neither zones nor prices and speeds of masks: for bodies that are only a
+  /// part of a vehicle.
   [[nodiscard]] std::shared_ptr<const CollisionChecker> checker_of_obstacles(
       const Vehicle& vehicle, const Margin& margin = {}) const;
 
@@ -132,7 +133,8 @@ class World {
   // The values of `kept` are dropped.
   void change(std::vector<Polygon> obstacles, std::span<const CellRange> cells);
   [[nodiscard]] std::shared_ptr<const CollisionChecker> checker_among(
-      const Vehicle& vehicle, const Margin& margin, std::span<const Zone> zones) const;
+      const Vehicle& vehicle, const Margin& margin, std::span<const Zone> zones,
+      std::span<const Mask> masks) const;
 
   std::shared_ptr<collision::Ground> ground_;
   std::unique_ptr<base::Derived> derived_;
@@ -248,13 +250,14 @@ void check_map(const OccupancyGrid& map);
 [[nodiscard]] Task task_of(const Problem& problem, const ClearanceOptions& options,
                            Steering steering = Steering::reeds_shepp);
 
-/// Limits of zones on the speed along segments from a state, by the distance from there.
+/// Limits of zones and masks on the speed along segments from a state, by the distance from there.
 [[nodiscard]] std::vector<SpeedLimit> speed_limits(const Task& task, const LocalState& from,
                                                    std::span<const Segment> segments);
 
 /// What `speed_profile` needs to know of a path of a problem, in the scenario's frame.
 [[nodiscard]] SpeedOptions speed_options(const Problem& problem, const Path& path);
-/// `speed_options` for the problem of a scenario, which is not made if there are no zones.
+/// `speed_options` for the problem of a scenario, which is not made if there are no zones
+/// and masks.
 [[nodiscard]] SpeedOptions speed_options(const Scenario& scenario, const Path& path);
 
 /// A pose of the scenario's frame in the world's frame; heading in [-pi, pi). A scenario moved by

@@ -101,7 +101,9 @@ struct CostRule {
   /// 1 - clearance / clearance_distance) times as much.
   double clearance_weight = 0.0;
   double clearance_distance = 1.0;  ///< distance that is near [m]; > 0
-  bool has_priced_ground = false;   ///< whether metres cost more in some zones
+  bool has_priced_ground = false;   ///< whether metres cost more in some zones or masks
+  /// Price of a second that a metre takes longer where zones and masks limit the speed [m/s]; >= 0.
+  double slowness_price = 0.0;
   InTime in_time = InTime::onward;  ///< order in which segments are driven: backward from the goal
 
   [[nodiscard]] bool is_length() const {
@@ -109,7 +111,9 @@ struct CostRule {
            curvature_change_cost == 0.0 && !has_surcharge();
   }
   /// Whether metres may cost more near obstacles or in zones.
-  [[nodiscard]] bool has_surcharge() const { return clearance_weight != 0.0 || has_priced_ground; }
+  [[nodiscard]] bool has_surcharge() const { return clearance_weight != 0.0 || tells_grounds(); }
+  /// Whether the ground on which a metre lies counts.
+  [[nodiscard]] bool tells_grounds() const { return has_priced_ground || slowness_price != 0.0; }
   /// Cost of a metre in a gear [m], without surcharges.
   [[nodiscard]] double weight(GearSign gear) const {
     return gear > 0 ? forward_weight : reverse_weight;

@@ -7,20 +7,20 @@
 #include <limits>
 #include <utility>
 
+#include "collision/bodies.h"
 #include "collision/clothoid_part.h"
+#include "collision/crossed.h"
 #include "collision/ground.h"
-#include "collision/outline_sweep.h"
-#include "collision/sweep.h"
 #include "collision/trailer_part.h"
 #include "collision/zones.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan {
 
-using collision::ClothoidPart, collision::DiscRows, collision::Obstacles, collision::Placement,
-    collision::placement_of;
-using collision::OutlineSweep, collision::PlacedSegment, collision::RigPlacement, collision::Shape,
-    collision::Sides, collision::Sweep, collision::TrailerPart;
+using collision::Body, collision::ClothoidPart, collision::DiscRows, collision::Obstacles,
+    collision::OutlineSweep, collision::PlacedSegment, collision::Placement,
+    collision::placement_of, collision::reach_of, collision::RigPlacement, collision::Shape,
+    collision::Towed, collision::TrailerPart;
 
 namespace {
 
@@ -28,34 +28,6 @@ bool holds(const Bounds& outer, const Bounds& inner) {
   return inner.x_min >= outer.x_min && inner.x_max <= outer.x_max && inner.y_min >= outer.y_min &&
          inner.y_max <= outer.y_max;
 }
-
-/// Largest distance of a point of a footprint from its rear axle [m].
-double reach_of(const Footprint& body) {
-  const double x = std::max(body.rear, body.front);
-  return std::sqrt(x * x + body.half_width * body.half_width);
-}
-
-/// Test whether a sweep touches a side while a part of its segment is driven. A long part is
-/// halved, as the box around all of it contains many sides that are not near.
-template <typename Touches>
-struct AlongTheWay {
-  const Obstacles& obstacles;
-  const PlacedSegment& placed;
-  const Touches& touches;
-  double reach;  // Reach of the inflated footprint from its axle [m].
-
-  [[nodiscard]] bool is_crossed(double begin, double end) const noexcept {
-    const double half = (end - begin) / 2;
-    const double around = half + reach;
-    const Point axle = placed.at(begin + half).position;
-    const Bounds box{axle.x - around, axle.x + around, axle.y - around, axle.y + around};
-    if (half <= 4 * reach) {
-      return obstacles.any_near(box, touches);
-    }
-    return obstacles.any_near(box, [](const Sides&) { return true; }) &&
-           (is_crossed(begin, begin + half) || is_crossed(begin + half, end));
-  }
-};
 
 /// Margin that is wanted with the rear axle at a place [m]. If `around` is positive, the largest
 /// margin wanted within that distance; if it is negative, the least.
@@ -69,85 +41,6 @@ double wanted_at(const Margin& margin, const Point& axle, double around) noexcep
   return wanted;
 }
 
-/// Distance of a body from the sides of polygons, at most `most` [m], which may be infinite.
-double distance_from(const Obstacles& obstacles, const Shape& body, const Placement& placement,
-                     double most) noexcept {
-  if (obstacles.is_empty()) return most;
-  double least = most * most;
-  const auto lower = [&](const Sides& sides) {
-    least = std::min(least, squared_distance(body, placement, sides, least));
-    return least == 0;
-  };
-  const PlacedSegment standing(placement, Segment{});
-  constexpr double beyond_all = 1e12;  // [m]; the middle of an infinite box is undefined.
-  (void)obstacles.any_near(Sweep(body.box, standing, std::min(most, beyond_all)).box(), lower);
-  return std::sqrt(least);
-}
-
-/// Whether a side comes within a margin [m] of a footprint on its way, and `may_touch` accepts it.
-template <typename MayTouch>
-bool is_crossed(const Obstacles& obstacles, const Footprint& footprint, double margin,
-                const PlacedSegment& placed, const MayTouch& may_touch) noexcept {
-  const Sweep sweep(footprint, placed, margin);
-  const auto touches = [&](const Sides& s) { return sweep.touches(s) && may_touch(s); };
-  const double reach = reach_of(footprint) + margin + 1e-3;  // Adds more than the inflation.
-  if (placed.length > 16 * reach && obstacles.are_many()) {
-    const AlongTheWay<decltype(touches)> along{obstacles, placed, touches, reach};
-    return along.is_crossed(0, placed.length);
-  }
-  return obstacles.any_near(sweep.box(), touches);  // [2]
-}
-
-bool is_crossed(const Obstacles& obstacles, const Shape& body, double margin,
-                const PlacedSegment& placed) noexcept {
-  if (obstacles.is_empty()) return false;
-  if (body.corners.empty()) {
-    return is_crossed(obstacles, body.box, margin, placed, [](const Sides&) { return true; });
-  }
-  const OutlineSweep outline(body.corners, placed, margin);
-  return is_crossed(obstacles, body.box, margin, placed,
-                    [&](const Sides& s) { return outline.touches(s); });
-}
-
-/// Body of a vehicle or a trailer.
-Shape shape_of(const auto& part) {
-  return {footprint(part), part.outline.empty() ? Polygon{} : body_outline(part)};
-}
-
-/// Rigid body of a vehicle or trailer, around the midpoint of its axle.
-struct Body {
-  Body(Shape of_body, const Footprint& of_wheels, double margin)
-      : shape(std::move(of_body)),
-        wheels{of_wheels},
-        discs(shape, margin),
-        slim(collision::DiscRows(shape).slim) {}
-
-  Shape shape;
-  Shape wheels;
-  DiscRows discs;           // Discs that cover the shape with the wanted margin.
-  collision::DiscRow slim;  // Discs that cover the shape without a margin.
-};
-
-/// Trailer of a vehicle.
-struct Towed {
-  Towed(const Vehicle& of, double margin)
-      : vehicle(of),
-        body(shape_of(*of.trailer),
-             {.rear = 0.0, .front = 0.0, .half_width = of.trailer->width / 2}, margin),
-        reach(std::max(reach_of(body.shape.box), reach_of(body.wheels.box))) {
-    const auto [rear, front, half_width] = footprint(of);
-    const Footprint& own = body.shape.box;
-    holds_hitch = of.outline.empty() && of.trailer->outline.empty() &&
-                  -rear <= std::min(of.hitch, 0.0) && of.hitch <= front && own.rear >= 0.0 &&
-                  of.trailer->wheelbase <= own.front;
-  }
-
-  Vehicle vehicle;
-  Body body;
-  double reach;      // Largest distance of its points from the axle [m].
-  bool holds_hitch;  // Whether both bodies contain their axle and the hitch.
-};
-
 }  // namespace
 
 struct CollisionChecker::Data {
@@ -156,10 +49,12 @@ struct CollisionChecker::Data {
       : body(std::move(of_body), of_wheels, kept.wanted), margin(kept), ground(std::move(on)) {}
 
   Data(const Vehicle& vehicle, const Margin& kept, std::shared_ptr<const collision::Ground> on,
-       std::span<const Zone> all_zones)
-      : Data(shape_of(vehicle), wheel_footprint(vehicle), kept, std::move(on)) {
+       std::span<const Zone> all_zones, std::span<const Mask> masks)
+      : Data(collision::shape_of(vehicle), wheel_footprint(vehicle), kept, std::move(on)) {
     if (vehicle.trailer) towed.emplace(vehicle, kept.wanted);
-    if (!all_zones.empty()) zones.emplace(vehicle, all_zones);
+    const auto grades = [](const Mask& mask) { return mask.use != MaskUse::obstacles; };
+    const bool has_grades = std::any_of(masks.begin(), masks.end(), grades);
+    if (has_grades || !all_zones.empty()) zones.emplace(vehicle, all_zones, masks);
   }
 
   Body body;
@@ -323,6 +218,7 @@ bool CollisionChecker::Data::crosses_nothing(const TrailerPart& part) const noex
 
 bool CollisionChecker::Data::is_tractor_free(const Pose& from,
                                              std::span<const Segment> segments) const noexcept {
+  if (!std::isfinite(from.x + from.y + from.heading)) return false;
   if (!is_outside({from.x, from.y})) return false;
   Placement placement = placement_of(from);
   for (const Segment& segment : segments) {
@@ -370,12 +266,13 @@ CollisionChecker::CollisionChecker(const Footprint& footprint, const Bounds& bou
 CollisionChecker::CollisionChecker(const Vehicle& vehicle, const Surroundings& surroundings,
                                    const Margin& margin)
     : CollisionChecker(vehicle, std::make_shared<const collision::Ground>(surroundings), margin,
-                       surroundings.zones) {}
+                       surroundings.zones, surroundings.masks) {}
 
 CollisionChecker::CollisionChecker(const Vehicle& vehicle,
                                    std::shared_ptr<const collision::Ground> ground,
-                                   const Margin& margin, std::span<const Zone> zones)
-    : data_(std::make_unique<const Data>(vehicle, margin, std::move(ground), zones)) {}
+                                   const Margin& margin, std::span<const Zone> zones,
+                                   std::span<const Mask> masks)
+    : data_(std::make_unique<const Data>(vehicle, margin, std::move(ground), zones, masks)) {}
 
 CollisionChecker::~CollisionChecker() = default;
 

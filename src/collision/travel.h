@@ -37,6 +37,16 @@ struct Travel {
     for (; wanted <= most; wanted += full_turn) add_roots(wanted - first, places);
   }
 
+  /// Begin, end, and the places between them where the vehicle travels along a line of a direction,
+  /// either way. Between two of them the axle moves to one side of such lines only.
+  [[nodiscard]] std::vector<double> places_along(double direction) const {
+    std::vector<double> places{0.0, length};
+    add_places(direction, places);
+    add_places(direction + std::numbers::pi, places);
+    std::sort(places.begin(), places.end());
+    return places;
+  }
+
   double first, curvature, rate, length;
 
  private:
@@ -49,5 +59,30 @@ struct Travel {
     }
   }
 };
+
+/// Place between `begin` and `end` where a monotonic function changes its sign. It has the values
+/// `first` and `last` there, of different signs. Regula falsi after Dowell and Jarratt 1971.
+template <typename Height>
+double crossing(double begin, double end, double first, double last, const Height& height) {
+  constexpr int most_steps = 60;
+  constexpr double close_enough = 1e-12;  // [m]
+  for (int i = 0; i < most_steps && end - begin > close_enough; ++i) {
+    const double share = first / (first - last);
+    const bool halves = i % 4 == 3 || !(share > 0 && share < 1);
+    const double middle = begin + (end - begin) * (halves ? 0.5 : share);
+    const double there = height(middle);
+    if (there == 0.0) return middle;
+    if ((there < 0) == (first < 0)) {
+      begin = middle;
+      first = there;
+      last /= 2;
+    } else {
+      end = middle;
+      last = there;
+      first /= 2;
+    }
+  }
+  return end;
+}
 
 }  // namespace vandplan::collision

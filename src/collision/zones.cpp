@@ -13,11 +13,10 @@
 namespace vandplan::collision {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double full_turn = 2 * std::numbers::pi;
 constexpr double direction_slack = 1e-9;  // by which a direction of travel may be off [rad]
 constexpr double speck = 1e-4;            // half the side of what stands for the axle [m]
 constexpr double on_side = 1e-9;          // relative slack at the ends of a side
-constexpr int halvings = 60;              // that find where the axle crosses a side
 // Where a body enters or leaves is known to `finest`. A body that touches an area twice within
 // `surely` touches it in between [m].
 constexpr double finest = 1e-4;
@@ -65,7 +64,7 @@ std::unique_ptr<const CollisionChecker> keeper_of(const Vehicle& vehicle, const 
 template <typename Breaks>
 bool any_astray(const Travel& travel, const HeadingRange& allowed, Breaks breaks) {
   const double wide = width(allowed) + 2 * direction_slack;
-  if (wide >= 2 * pi) return false;
+  if (wide >= full_turn) return false;
   const double begin = allowed.from - direction_slack;
   std::vector<double> places{0.0, travel.length};
   travel.add_places(begin, places);
@@ -75,7 +74,7 @@ bool any_astray(const Travel& travel, const HeadingRange& allowed, Breaks breaks
     const double last = places[i - 1], next = places[i];
     if (!(next > last)) continue;
     const double off = travel.at(last + (next - last) / 2) - begin;
-    if (off - 2 * pi * std::floor(off / (2 * pi)) > wide && breaks(last, next)) return true;
+    if (off - full_turn * std::floor(off / full_turn) > wide && breaks(last, next)) return true;
   }
   return false;
 }
@@ -89,20 +88,13 @@ void add_crossings(const Pose& from, const Segment& segment, const Point& a, con
   const auto axle_at = [&](double s) { return advance(from, part_of(segment, 0.0, s)); };
   const auto left_of = [&](const Pose& p) { return side.x * (p.y - a.y) - side.y * (p.x - a.x); };
   // Between places where it travels along the side, the axle crosses the side's line at most once.
-  std::vector<double> turns{0.0, travel.length};
-  const double along = std::atan2(side.y, side.x);
-  travel.add_places(along, turns);
-  travel.add_places(along + pi, turns);
-  std::sort(turns.begin(), turns.end());
+  const std::vector<double> turns = travel.places_along(std::atan2(side.y, side.x));
   double before = left_of(from);
   for (std::size_t i = 1; i < turns.size(); ++i) {
     const double after = left_of(axle_at(turns[i]));
     if ((before < 0) != (after < 0)) {
-      double begin = turns[i - 1], end = turns[i];
-      for (int k = 0; k < halvings && end - begin > 1e-12; ++k) {
-        const double middle = begin + (end - begin) / 2;
-        ((left_of(axle_at(middle)) < 0) == (before < 0) ? begin : end) = middle;
-      }
+      const auto height = [&](double s) { return left_of(axle_at(s)); };
+      const double end = crossing(turns[i - 1], turns[i], before, after, height);
       const Pose there = axle_at(end);
       const double part = (side.x * (there.x - a.x) + side.y * (there.y - a.y)) / squared;
       if (part >= -on_side && part <= 1 + on_side) places.push_back(end);
@@ -185,18 +177,26 @@ struct Zones::Checked {
   }
 };
 
-Zones::Zones(const Vehicle& vehicle, std::span<const Zone> zones) : vehicle_(vehicle) {
+Zones::Zones(const Vehicle& vehicle, std::span<const Zone> zones, std::span<const Mask> masks)
+    : vehicle_(vehicle) {
   for (const Zone& zone : zones) all_.emplace_back(vehicle, zone);
+  for (const Mask& mask : masks) {
+    if (mask.use != MaskUse::obstacles) masks_.emplace_back(mask);
+  }
 }
 
 Zones::~Zones() = default;
 
 bool Zones::have_prices() const noexcept {
-  return std::ranges::any_of(all_, [](const Checked& each) { return each.zone.cost != 1.0; });
+  const auto is_price = [](const MaskCells& mask) { return mask.use() == MaskUse::cost; };
+  return std::ranges::any_of(all_, [](const Checked& each) { return each.zone.cost != 1.0; }) ||
+         std::ranges::any_of(masks_, is_price);
 }
 
 bool Zones::have_speed_limits() const noexcept {
-  return std::ranges::any_of(all_, [](const Checked& each) { return each.zone.max_speed.has_value(); });
+  const auto limits = [](const Checked& each) { return each.zone.max_speed.has_value(); };
+  const auto is_limit = [](const MaskCells& mask) { return mask.use() == MaskUse::max_speed; };
+  return std::ranges::any_of(all_, limits) || std::ranges::any_of(masks_, is_limit);
 }
 
 bool Zones::allow(const LocalState& from, std::span<const Segment> segments,
@@ -223,7 +223,8 @@ std::vector<GroundPart> Zones::along(const LocalState& from, const Segment& segm
     near.push_back(&each);
     each.add_changes(vehicle_, from, segment, places);
   }
-  if (near.empty()) return {{0.0, length}};
+  for (const MaskCells& mask : masks_) mask.add_changes(from.pose, segment, places);
+  if (near.empty() && places.size() == 2 && masks_.empty()) return {{0.0, length}};
   std::sort(places.begin(), places.end());
   std::vector<GroundPart> parts;
   for (std::size_t i = 1; i < places.size(); ++i) {
@@ -236,6 +237,7 @@ std::vector<GroundPart> Zones::along(const LocalState& from, const Segment& segm
       part.cost *= each->zone.cost;
       part.max_speed = std::min(part.max_speed, each->zone.max_speed.value_or(part.max_speed));
     }
+    for (const MaskCells& mask : masks_) mask.tell({there.pose.x, there.pose.y}, part);
     if (!parts.empty() && parts.back().cost == part.cost &&
         parts.back().max_speed == part.max_speed) {
       parts.back().end = part.end;

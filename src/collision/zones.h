@@ -11,21 +11,22 @@
 #include <span>
 #include <vector>
 
+#include "collision/mask_cells.h"
 #include "vandplan/collision.h"
 #include "vandplan/path.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan::collision {
 
-/// Zones of one vehicle.
+/// Zones of one vehicle, and the masks that limit speeds or have prices.
 class Zones {
  public:
-  Zones(const Vehicle& vehicle, std::span<const Zone> zones);
+  Zones(const Vehicle& vehicle, std::span<const Zone> zones, std::span<const Mask> masks);
   ~Zones();
   Zones(const Zones&) = delete;
   Zones& operator=(const Zones&) = delete;
 
-  /// Whether a zone has a price, and whether one has a largest speed.
+  /// Whether a zone or mask has a price, and whether one has a largest speed.
   [[nodiscard]] bool have_prices() const noexcept;
   [[nodiscard]] bool have_speed_limits() const noexcept;
 
@@ -33,7 +34,7 @@ class Zones {
   [[nodiscard]] bool allow(const LocalState& from, std::span<const Segment> segments,
                            InTime in_time) const noexcept;
 
-  /// What zones say along a segment.
+  /// What zones and masks say along a segment.
   [[nodiscard]] std::vector<GroundPart> along(const LocalState& from, const Segment& segment) const;
 
  private:
@@ -41,6 +42,7 @@ class Zones {
 
   Vehicle vehicle_;
   std::vector<Checked> all_;
+  std::vector<MaskCells> masks_;
 };
 
 }  // namespace vandplan::collision

@@ -97,6 +97,22 @@ Cell cell_of(const Rule& rule, std::uint32_t brightness, std::uint32_t white) {
   return cell_between(rule, static_cast<double>(part) / white);
 }
 
+/// Occupancy of a brightness in percent, as nav2_map_server publishes it.
+std::uint8_t percent_of(const Rule& rule, std::uint32_t brightness, std::uint32_t white) {
+  if (rule.mode == Mode::raw) {
+    const double percent = std::round(255.0 * brightness / white);
+    return percent > 100 ? Mask::unknown : static_cast<std::uint8_t>(percent);
+  }
+  const Cell cell = cell_of(rule, brightness, white);
+  if (cell == Cell::free) return 0;
+  if (cell == Cell::occupied) return 100;
+  if (rule.mode == Mode::trinary) return Mask::unknown;
+  const std::uint32_t part = rule.negate ? brightness : white - brightness;
+  const double share = static_cast<double>(part) / white - rule.free_thresh;
+  const double all = rule.occupied_thresh - rule.free_thresh;
+  return all > 0 ? static_cast<std::uint8_t>(std::rint(100 * share / all)) : 0;
+}
+
 /// Cells of an image, filled as its rows arrive: the top row first, which has the largest y.
 struct Cells {
   std::int32_t columns = 0;
@@ -104,8 +120,10 @@ struct Cells {
   std::vector<Cell> cells;
   std::size_t missing = 0;  // Number of cells, from the first on, that have not arrived yet.
   bool has_grey = false;  // Whether a pixel has the grey that map_saver writes for unknown ground.
-  // Cell of each brightness, since pixels are many and brightnesses few.
+  // Cell and occupancy of each brightness, since pixels are many and brightnesses few.
   std::vector<Cell> cell_of_brightness;
+  std::vector<std::uint8_t> percent_of_brightness;
+  std::vector<std::uint8_t>* percents = nullptr;  // of all cells; filled if not null
 
   void take(const Rule& rule, const io::ImageShape& shape,
             std::span<const std::uint32_t> brightness) {
@@ -114,9 +132,11 @@ struct Cells {
       rows = shape.rows;
       for (std::uint32_t i = 0; i <= shape.white; ++i) {
         cell_of_brightness.push_back(cell_of(rule, i, shape.white));
+        percent_of_brightness.push_back(percent_of(rule, i, shape.white));
       }
       missing = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
       cells.resize(missing);
+      if (percents != nullptr) percents->resize(missing);
     }
     missing -= brightness.size();
     if (shape.white == 255 && !has_grey) has_grey = std::ranges::count(brightness, 205U) > 0;
@@ -124,15 +144,23 @@ struct Cells {
         brightness, cells.begin() + static_cast<std::ptrdiff_t>(missing), [&](std::uint32_t pixel) {
           return pixel == io::transparent_pixel ? Cell::unknown : cell_of_brightness[pixel];
         });
+    if (percents == nullptr) return;
+    std::ranges::transform(brightness, percents->begin() + static_cast<std::ptrdiff_t>(missing),
+                           [&](std::uint32_t pixel) {
+                             return pixel == io::transparent_pixel ? Mask::unknown
+                                                                   : percent_of_brightness[pixel];
+                           });
   }
 };
 
-Cells cells_from(const Document& file, const std::string& map, const Rule& rule) {
+Cells cells_from(const Document& file, const std::string& map, const Rule& rule,
+                 std::vector<std::uint8_t>* percents) {
   const Node& node = file.at(file.root(), "image");
   if (file.text(node).empty()) file.fail(node, "is empty, expected the name of a PGM or PNG image");
   const std::filesystem::path path = std::filesystem::path(map).parent_path() / file.text(node);
   const io::Alpha alpha = rule.mode == Mode::raw ? io::Alpha::ignored : io::Alpha::marked;
   Cells cells;
+  cells.percents = percents;
   try {
     io::FileReader image(path.string());
     io::read_image(image, alpha,
@@ -171,6 +199,25 @@ std::string map_to_yaml(const OccupancyGrid& grid, const std::string& image) {
       image, grid.resolution, grid.origin.x, grid.origin.y, grid.origin.heading);
 }
 
+std::string mask_to_pgm(const Mask& mask) {
+  if (!mask.percents) return map_to_pgm(mask.map);
+  check_map(mask.map);
+  std::string text = fmt::format("P5\n{} {}\n255\n", mask.map.columns, mask.map.rows);
+  const auto columns = static_cast<std::size_t>(mask.map.columns);
+  for (std::size_t row = static_cast<std::size_t>(mask.map.rows); row-- > 0;) {
+    for (std::size_t i = row * columns; i < (row + 1) * columns; ++i) {
+      text += static_cast<char>((*mask.percents)[i]);
+    }
+  }
+  return text;
+}
+
+std::string mask_to_yaml(const Mask& mask, const std::string& image) {
+  std::string text = map_to_yaml(mask.map, image);
+  if (mask.percents) text.replace(text.rfind("trinary"), 7, "raw");
+  return text;
+}
+
 bool is_map(const std::string& name) {
   const Document file = parse_yaml(read_file(name, largest_text), name);
   return file.root().kind == Node::Kind::map && file.find(file.root(), "image") != nullptr;
@@ -181,7 +228,8 @@ OccupancyGrid read_map(const std::string& name) {
   return io::map_from(name, warnings);
 }
 
-OccupancyGrid io::map_from(const std::string& name, std::vector<std::string>& warnings) {
+OccupancyGrid io::map_from(const std::string& name, std::vector<std::string>& warnings,
+                           std::vector<std::uint8_t>* percents) {
   const Document file = parse_yaml(read_file(name, largest_text), name);
   const Node& root = file.root();
   if (file.find(root, "image") == nullptr) {
@@ -196,7 +244,7 @@ OccupancyGrid io::map_from(const std::string& name, std::vector<std::string>& wa
   }
   grid.origin = {file.number(place[0]), file.number(place[1]), file.number(place[2])};
   const Rule rule = rule_from(file);
-  Cells cells = cells_from(file, name, rule);
+  Cells cells = cells_from(file, name, rule, percents);
   if (cells.has_grey && rule.mode != Mode::raw && cell_of(rule, 205, 255) == Cell::free) {
     const Node& free_thresh = file.at(root, "free_thresh");
     warnings.push_back(file.place_of(free_thresh) +
@@ -215,10 +263,11 @@ OccupancyGrid io::map_from(const std::string& name, std::vector<std::string>& wa
 }
 
 OccupancyGrid io::map_named(const Document& file, const Node& node, const std::string& where,
-                            std::vector<std::string>& warnings) {
+                            std::vector<std::string>& warnings,
+                            std::vector<std::uint8_t>* percents) {
   const auto path = std::filesystem::path(where).parent_path() / file.text(node);
   try {
-    return map_from(path.string(), warnings);
+    return map_from(path.string(), warnings, percents);
   } catch (const InputError& error) {
     if (error.where() != path.string()) throw;  // The error is in the map, not in opening the file.
     file.fail(node, error.what());

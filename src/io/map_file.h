@@ -3,6 +3,7 @@
 #pragma once
 // Which map is in a file of ROS' map_server, and which of its settings look wrong?
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,11 +12,14 @@
 
 namespace vandplan::io {
 
-/// Result of `read_map`; adds warnings "file:line: key: what".
-[[nodiscard]] OccupancyGrid map_from(const std::string& name, std::vector<std::string>& warnings);
+/// Result of `read_map`; adds warnings "file:line: key: what". `percents`, if given, becomes the
+/// occupancy of each cell as nav2_map_server publishes it; `Mask::unknown` for unknown cells.
+[[nodiscard]] OccupancyGrid map_from(const std::string& name, std::vector<std::string>& warnings,
+                                     std::vector<std::uint8_t>* percents = nullptr);
 
 /// Map that a node of a scenario names; the name is relative to the scenario's file `where`.
 [[nodiscard]] OccupancyGrid map_named(const Document& file, const Node& node,
-                                      const std::string& where, std::vector<std::string>& warnings);
+                                      const std::string& where, std::vector<std::string>& warnings,
+                                      std::vector<std::uint8_t>* percents = nullptr);
 
 }  // namespace vandplan::io

@@ -147,7 +147,8 @@ void read_ground(const Document& file, const std::string& where, const Map& know
   }
   if (const Node* const zones = file.find(root, "zones")) scenario.zones = zones_from(file, *zones);
   if (const Node* const masks = file.find(root, "masks")) {
-    scenario.masks = masks_from(file, *masks, where, result.warnings);
+    const double fastest = scenario.vehicle.limits.max_speed.forward;
+    scenario.masks = masks_from(file, *masks, where, fastest, result.warnings);
   }
   const Node* const obstacles = file.find(root, "obstacles");
   if (map != nullptr && obstacles == nullptr) return;

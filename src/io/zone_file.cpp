@@ -4,6 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+#include <memory>
+#include <utility>
+
 #include "io/goal_file.h"
 #include "io/map_file.h"
 #include "io/polygons.h"
@@ -37,6 +41,50 @@ Zone zone_from(const Document& file, const Node& node) {
   return zone;
 }
 
+/// A mask with the keys `as` and `of`.
+Mask mask_named(const Document& file, const Node& item) {
+  for (const char* const key : {"base", "multiplier"}) {
+    if (const Node* const node = file.find(item, key)) {
+      file.fail(*node, "is given without type, expected type 0, 1 or 2 beside it");
+    }
+  }
+  const Node& as = file.at(item, "as");
+  const Node* const of = file.find(item, "of");
+  const std::string& use = file.text(as);
+  if (use == name_of(MaskUse::obstacles)) {
+    if (of != nullptr) file.fail(*of, "is given for obstacles, expected max_speed or cost");
+    return {};
+  }
+  if (use != name_of(MaskUse::max_speed) && use != name_of(MaskUse::cost)) {
+    file.fail(as, "is \"" + use.substr(0, 40) + "\", expected obstacles, max_speed or cost");
+  }
+  const double most = file.number(file.at(item, "of"));
+  return use == name_of(MaskUse::cost) ? cost_mask({}, most) : speed_mask({}, most);
+}
+
+/// A mask with the keys of Nav2's costmap filters: 0 is keepout, 1 a speed in percent, 2 one in
+/// m/s.
+Mask mask_of_nav2(const Document& file, const Node& item, double fastest) {
+  for (const char* const key : {"as", "of"}) {
+    if (const Node* const node = file.find(item, key)) {
+      file.fail(*node, "is given beside type, expected one of them");
+    }
+  }
+  const Node& type = file.at(item, "type");
+  const double kind = file.number(type);
+  if (kind != 0 && kind != 1 && kind != 2) {
+    file.fail(type, fmt::format("is {}, expected 0 (keepout), 1 (speed in %) or 2 (in m/s)", kind));
+  }
+  const auto number = [&](const char* key, double otherwise) {
+    const Node* const node = file.find(item, key);
+    return node == nullptr ? otherwise : file.number(*node);
+  };
+  const double base = number("base", 0.0), multiplier = number("multiplier", 1.0);
+  if (kind == 0) return {};
+  const double unit = kind == 1 ? fastest / 100 : 1.0;
+  return {.use = MaskUse::max_speed, .base = unit * base, .multiplier = unit * multiplier};
+}
+
 }  // namespace
 
 std::vector<Zone> zones_from(const Document& file, const Node& node) {
@@ -64,16 +112,20 @@ std::string zones_to_yaml(const std::vector<Zone>& zones) {
 }
 
 std::vector<Mask> masks_from(const Document& file, const Node& node, const std::string& where,
-                             std::vector<std::string>& warnings) {
+                             double fastest, std::vector<std::string>& warnings) {
   std::vector<Mask> masks;
   for (const Node& item : file.list(node, "a list of masks")) {
-    file.allow_only(item, {"map", "as"});
-    const Node& as = file.at(item, "as");
-    if (file.text(as) != "obstacles") {
-      file.fail(as, "is \"" + file.text(as).substr(0, 40) + "\", expected obstacles");
-    }
+    file.allow_only(item, {"map", "as", "of", "type", "base", "multiplier"});
+    const bool is_of_nav2 = file.find(item, "type") != nullptr;
+    Mask mask = is_of_nav2 ? mask_of_nav2(file, item, fastest) : mask_named(file, item);
     const Node& map = file.at(item, "map");
-    masks.push_back({file.text(map), map_named(file, map, where, warnings)});
+    mask.map_file = file.text(map);
+    std::vector<std::uint8_t> percents;
+    mask.map = map_named(file, map, where, warnings, &percents);
+    if (mask.use != MaskUse::obstacles) {
+      mask.percents = std::make_shared<const std::vector<std::uint8_t>>(std::move(percents));
+    }
+    masks.push_back(std::move(mask));
   }
   return masks;
 }
@@ -81,7 +133,15 @@ std::vector<Mask> masks_from(const Document& file, const Node& node, const std::
 std::string masks_to_yaml(const std::vector<Mask>& masks) {
   std::string text = masks.empty() ? "" : "masks:\n";
   for (const Mask& mask : masks) {
-    text += fmt::format("  - {{map: {}, as: obstacles}}\n", yaml_scalar(mask.map_file));
+    std::string rule = fmt::format("as: {}", name_of(mask.use));
+    if (mask.use == MaskUse::cost) {
+      rule += fmt::format(", of: {}", 100 * mask.multiplier);
+    } else if (mask.use == MaskUse::max_speed && mask.multiplier == -mask.base / 100) {
+      rule += fmt::format(", of: {}", mask.base);
+    } else if (mask.use == MaskUse::max_speed) {
+      rule = fmt::format("type: 2, base: {}, multiplier: {}", mask.base, mask.multiplier);
+    }
+    text += fmt::format("  - {{map: {}, {}}}\n", yaml_scalar(mask.map_file), rule);
   }
   return text;
 }

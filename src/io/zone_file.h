@@ -18,9 +18,9 @@ namespace vandplan::io {
 [[nodiscard]] std::string zones_to_yaml(const std::vector<Zone>& zones);
 
 /// Further maps of the list under `masks:`; their names are relative to the scenario's file
-/// `where`.
+/// `where`. Nav2 gives speeds in percent of `fastest` [m/s].
 [[nodiscard]] std::vector<Mask> masks_from(const Document& file, const Node& node,
-                                           const std::string& where,
+                                           const std::string& where, double fastest,
                                            std::vector<std::string>& warnings);
 
 /// The key `masks:` with its list, as lines of a scenario; empty if there are no masks.

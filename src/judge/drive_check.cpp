@@ -312,11 +312,11 @@ std::optional<DriveFault> company_fault(const Task& task, const SpeedProfile& sp
 
 /// Parts of a track with the limits of zones; empty without such limits.
 std::vector<judge::PricedPart> slow_parts(const Task& task, const Track& track) {
-  const std::vector<Zone>& zones = task.world->local().zones;
-  if (!judge::has_prices(zones)) return {};
+  const Surroundings& ground = task.world->local();
+  if (!judge::has_prices(ground)) return {};
   std::optional<Trailing> trailing;
   if (task.vehicle.trailer) trailing.emplace(track, task.vehicle, task.hitch_angles.start);
-  return judge::priced_parts(zones, task.vehicle, track, trailing ? &*trailing : nullptr,
+  return judge::priced_parts(ground, task.vehicle, track, trailing ? &*trailing : nullptr,
                              judge::AtEdge::outside);
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 
+#include "judge/mask_look.h"
 #include "judge/zones.h"
 
 namespace vandplan::judge {
@@ -14,10 +15,10 @@ namespace {
 
 constexpr double axle_slack = 1e-6;    // distance from an edge at which the axle may be inside [m]
 constexpr double body_slack = 1.5e-3;  // distance at which a body may touch [m]
-constexpr double far_enough = 1.0;     // distances above are not distinguished [m]
+constexpr double beyond_zone = 1.0;    // distances above are not distinguished [m]
 constexpr Real shortest = 1e-3;        // part of which only the ends are looked at [m]
 constexpr Real surely = 0.02;  // part on which a body touches if it does at three places [m]
-constexpr int bisections = 50;
+constexpr int halvings_of_edge = 50;
 
 /// Distance of a place from the sides of a polygon [m].
 Real depth_in(const Polygon& area, const Position& place) {
@@ -71,7 +72,7 @@ class Holding {
  private:
   /// Distance of what counts from the area [m]. For an axle inside it is negative.
   [[nodiscard]] Real distance(const Place& place) {
-    double least = far_enough;
+    double least = beyond_zone;
     for (const Body& body : bodies_.all()) {
       least = clearance_of(body, place, least, effort_);
     }
@@ -94,7 +95,7 @@ class Holding {
   void add_change(std::size_t stretch, Real begin, Real end, std::vector<Real>& places) {
     const bool first = holds({stretch, begin});
     if (first == holds({stretch, end})) return;
-    for (int i = 0; i < bisections; ++i) {
+    for (int i = 0; i < halvings_of_edge; ++i) {
       const Real middle = (begin + end) / 2;
       (holds({stretch, middle}) == first ? begin : end) = middle;
     }
@@ -109,29 +110,37 @@ class Holding {
 
 }  // namespace
 
-bool has_prices(const std::vector<Zone>& zones) {
-  return std::any_of(zones.begin(), zones.end(), is_priced);
+bool has_prices(const Surroundings& ground) {
+  return std::any_of(ground.zones.begin(), ground.zones.end(), is_priced) ||
+         std::any_of(ground.masks.begin(), ground.masks.end(), is_graded);
 }
 
-std::vector<PricedPart> priced_parts(const std::vector<Zone>& zones, const Vehicle& vehicle,
+std::vector<PricedPart> priced_parts(const Surroundings& ground, const Vehicle& vehicle,
                                      const Track& track, const Trailing* trailing, AtEdge at_edge) {
   std::vector<std::unique_ptr<Holding>> priced;
-  for (const Zone& zone : zones) {
+  for (const Zone& zone : ground.zones) {
     if (!is_priced(zone)) continue;
     priced.push_back(std::make_unique<Holding>(zone, vehicle, track, trailing, at_edge));
+  }
+  std::vector<MaskLook> masks;
+  for (const Mask& mask : ground.masks) {
+    if (is_graded(mask)) masks.emplace_back(mask, track, at_edge);
   }
   std::vector<PricedPart> parts;
   for (std::size_t i = 0; i < track.stretches.size(); ++i) {
     const Real length = track.stretches[i].length;
     std::vector<Real> places = {0, length};
     for (const auto& zone : priced) zone->add_changes(i, 0, length, places);
+    for (const MaskLook& mask : masks) mask.add_changes(i, 0, length, places);
     std::sort(places.begin(), places.end());
     for (std::size_t k = 1; k < places.size(); ++k) {
       PricedPart part{i, places[k - 1], places[k]};
       if (!(part.end > part.begin)) continue;
+      const Place middle{i, (part.begin + part.end) / 2};
       for (const auto& zone : priced) {
-        if (zone->holds({i, (part.begin + part.end) / 2})) zone->apply_to(part);
+        if (zone->holds(middle)) zone->apply_to(part);
       }
+      for (const MaskLook& mask : masks) mask.apply_to(part, middle);
       parts.push_back(part);
     }
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How much does a metre of a track cost in zones, and how fast may it be driven, in the eyes of the
-// judge?
+// How much does a metre of a track cost in zones and masks, and how fast may it be driven, in the
+// eyes of the judge?
 //
 // Method: docs/lab/zones.md.
 
@@ -31,12 +31,12 @@ struct PricedPart {
 enum class AtEdge { inside, outside };
 
 /// Parts of all stretches of a track, in order. `trailing` is null without a trailer.
-[[nodiscard]] std::vector<PricedPart> priced_parts(const std::vector<Zone>& zones,
+[[nodiscard]] std::vector<PricedPart> priced_parts(const Surroundings& ground,
                                                    const Vehicle& vehicle, const Track& track,
                                                    const Trailing* trailing, AtEdge at_edge);
 
-/// Whether a zone has a price or a largest speed.
-[[nodiscard]] bool has_prices(const std::vector<Zone>& zones);
+/// Whether a zone or mask has a price or a largest speed.
+[[nodiscard]] bool has_prices(const Surroundings& ground);
 
 /// Largest speed at a place by the parts of a track [m/s].
 [[nodiscard]] Real max_speed_at(const std::vector<PricedPart>& parts, const Place& place);

@@ -55,7 +55,8 @@ search::CostRule prices_like_time(const Task& task) {
   return {.forward_weight = top / limits.max_speed.forward,
           .reverse_weight = top / limits.max_speed.reverse,
           .gear_change_cost = stop,
-          .curvature_change_cost = top * turn};
+          .curvature_change_cost = top * turn,
+          .slowness_price = task.checker->has_speed_limits() ? top : 0.0};
 }
 
 search::CostRule with_time(const search::CostRule& prices, const Task& task, double time_price) {

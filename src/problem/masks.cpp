@@ -2,16 +2,22 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "problem/masks.h"
 
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
 
+#include "base/text.h"
 #include "problem/checks.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan::problem {
 namespace {
+
+constexpr double most_factor = 1000.0;
+constexpr double finest_cells = 0.01;  // least side of cells that limit speeds or have prices [m]
 
 /// Cells [first, last) of a row, and the rows [low, high) that all have them.
 struct Block {
@@ -45,6 +51,44 @@ Polygon rectangle_of(const OccupancyGrid& map, const Block& block) {
   return corners;
 }
 
+/// Checks the values of the occupancies that a mask has.
+void check_values(const Mask& mask, const std::string& where) {
+  const auto cells =
+      static_cast<std::size_t>(mask.map.columns) * static_cast<std::size_t>(mask.map.rows);
+  if (mask.percents && mask.percents->size() != cells) {
+    throw InputError(where, "has " + std::to_string(mask.percents->size()) +
+                                " percentages, expected one for each cell of the map");
+  }
+  if (mask.use == MaskUse::obstacles) return;
+  if (mask.map.resolution < finest_cells) {
+    throw InputError(where + ".map.resolution", "is " + base::shortest_text(mask.map.resolution) +
+                                                    ", expected 0.01 m or more for " +
+                                                    std::string(name_of(mask.use)));
+  }
+  std::array<bool, 256> has{};
+  for (std::size_t i = 0; i < cells; ++i) {
+    const Cell cell = (*mask.map.cells)[i];
+    const std::uint8_t of_cell = cell == Cell::unknown ? Mask::unknown
+                                 : cell == Cell::free  ? 0
+                                                       : 100;
+    has[mask.percents ? (*mask.percents)[i] : of_cell] = true;
+  }
+  for (std::size_t percent = 0; percent < Mask::unknown; ++percent) {
+    if (!has[percent]) continue;
+    const std::string cell = "has a cell of " + std::to_string(percent) + " %";
+    if (percent > 100) throw InputError(where, cell + ", expected 0 to 100");
+    const double value = mask.base + mask.multiplier * static_cast<double>(percent);
+    if (mask.use == MaskUse::cost && !(value >= 1.0 && value <= most_factor)) {
+      throw InputError(where, cell + ", where a metre costs " + base::shortest_text(value) +
+                                  " times as much, expected 1 to 1000");
+    }
+    if (mask.use == MaskUse::max_speed && percent > 0 && !(value > 0.0 && std::isfinite(value))) {
+      throw InputError(where, cell + ", where the largest speed is " + base::shortest_text(value) +
+                                  ", expected more than 0 m/s");
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Mask> local_masks(const std::vector<Mask>& masks, const Point& origin) {
@@ -55,6 +99,7 @@ std::vector<Mask> local_masks(const std::vector<Mask>& masks, const Point& origi
     } catch (const InputError& error) {  // names "map.resolution" or another key of a map
       throw InputError("masks[" + std::to_string(i) + "]." + error.where(), error.problem());
     }
+    check_values(local[i], "masks[" + std::to_string(i) + "]");
   }
   return local;
 }
@@ -80,3 +125,28 @@ std::vector<Polygon> rectangles_over(const OccupancyGrid& map) {
 }
 
 }  // namespace vandplan::problem
+
+namespace vandplan {
+
+std::string_view name_of(MaskUse use) noexcept {
+  switch (use) {
+    case MaskUse::obstacles:
+      return "obstacles";
+    case MaskUse::max_speed:
+      return "max_speed";
+    case MaskUse::cost:
+      break;
+  }
+  return "cost";
+}
+
+Mask speed_mask(OccupancyGrid map, double speed) {
+  return {
+      .map = std::move(map), .use = MaskUse::max_speed, .base = speed, .multiplier = -speed / 100};
+}
+
+Mask cost_mask(OccupancyGrid map, double most) {
+  return {.map = std::move(map), .use = MaskUse::cost, .base = 1.0, .multiplier = most / 100};
+}
+
+}  // namespace vandplan

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which obstacles stand for the cells of a mask?
+// Which masks are valid, and which obstacles stand for the cells of a mask?
 
 #include <vector>
 
@@ -10,7 +10,7 @@
 namespace vandplan::problem {
 
 /// Masks moved from the scenario's frame into the frame of `origin`. Throws InputError naming
-/// "masks[1].map".
+/// "masks[1].map", or "masks[1]" for values that are no speed or cost.
 [[nodiscard]] std::vector<Mask> local_masks(const std::vector<Mask>& masks, const Point& origin);
 
 /// Rectangles that cover the occupied cells of a map, and nothing else, in the map's frame.

@@ -33,7 +33,8 @@ Surroundings checked(const Surroundings& given, const Point& origin) {
                      .masks = problem::local_masks(given.masks, origin)};
   std::vector<Polygon> first = problem::fences_around(local.inside);
   for (Mask& mask : local.masks) {
-    const std::vector<Polygon> blocks = problem::rectangles_over(mask.map);
+    std::vector<Polygon> blocks;
+    if (mask.use == MaskUse::obstacles) blocks = problem::rectangles_over(mask.map);
     mask.blocks = blocks.size();
     first.insert(first.end(), blocks.begin(), blocks.end());
   }
@@ -46,7 +47,7 @@ Surroundings checked(const Surroundings& given, const Point& origin) {
 struct VehicleChecker {
   Vehicle vehicle;
   double margin;   // margin that the vehicle keeps [m]
-  bool has_zones;  // whether the checker knows the zones of the world
+  bool has_rules;  // whether the checker knows the zones and masks of the world
   CollisionChecker checker;
 };
 
@@ -128,33 +129,35 @@ void World::change(std::vector<Polygon> obstacles, std::span<const CellRange> ce
 
 std::shared_ptr<const CollisionChecker> World::checker(const Vehicle& vehicle,
                                                        const Margin& margin) const {
-  return checker_among(vehicle, margin, local_.zones);
+  return checker_among(vehicle, margin, local_.zones, local_.masks);
 }
 
 std::shared_ptr<const CollisionChecker> World::checker_of_obstacles(const Vehicle& vehicle,
                                                                     const Margin& margin) const {
-  return checker_among(vehicle, margin, {});
+  return checker_among(vehicle, margin, {}, {});
 }
 
 std::shared_ptr<const CollisionChecker> World::checker_among(const Vehicle& vehicle,
                                                              const Margin& margin,
-                                                             std::span<const Zone> zones) const {
+                                                             std::span<const Zone> zones,
+                                                             std::span<const Mask> masks) const {
   check_vehicle(vehicle);
   base::require(margin.wanted >= 0.0, "margin", margin.wanted, "a number >= 0 [m]");
   if (!margin.ramps.empty()) {
-    return std::make_shared<const CollisionChecker>(vehicle, ground_, margin, zones);
+    return std::make_shared<const CollisionChecker>(vehicle, ground_, margin, zones, masks);
   }
+  const bool has_rules = !zones.empty() || !masks.empty();
   const auto found = std::static_pointer_cast<const VehicleChecker>(derived_->find_or_make(
       typeid(VehicleChecker),
       [&](const void* made) {
         const auto& known = *static_cast<const VehicleChecker*>(made);
         return same_lengths(known.vehicle, vehicle) && known.margin == margin.wanted &&
-               known.has_zones == !zones.empty();
+               known.has_rules == has_rules;
       },
       [&] {
         return std::shared_ptr<const VehicleChecker>(
-            new VehicleChecker{vehicle, margin.wanted, !zones.empty(),
-                               CollisionChecker(vehicle, ground_, margin, zones)});
+            new VehicleChecker{vehicle, margin.wanted, has_rules,
+                               CollisionChecker(vehicle, ground_, margin, zones, masks)});
       }));
   return {found, &found->checker};
 }

@@ -79,7 +79,8 @@ double Ways::cost_of(const TimedPath& drive) const {
 
 /// Limits of zones on the speed along a path that begins with a motion.
 std::vector<SpeedLimit> Ways::limits_along(const Path& path, const RigMotion& begin) const {
-  if (scene_.world->local().zones.empty()) return {};
+  const Surroundings& ground = scene_.world->local();
+  if (ground.zones.empty() && ground.masks.empty()) return {};
   return speed_options(problem_to(scene_, scene_.planned, begin, begin), path).limits;
 }
 

@@ -312,14 +312,20 @@ double near_cost(const Task& task, const CostRule& rule, const LocalState& from,
 double ground_cost(const Task& task, const CostRule& rule, const LocalState& from,
                    const Segment& segment, double whole, ClearanceSampling sampling,
                    double cutoff) {
+  const GearSign gear = gear_of(segment);
+  const auto& top = task.vehicle.limits.max_speed;
+  const double usual = 1 / (gear > 0 ? top.forward : top.reverse);  // [s/m]
   double sum = 0.0;
   for (const auto& [begin, end, factor, max_speed] : task.checker->ground_along(from, segment)) {
     if (sum > cutoff) break;
+    const double of_zone = rule.has_priced_ground ? factor : 1.0;
+    sum += (of_zone - 1.0) * rule.weight(gear) * (end - begin);
+    sum += rule.slowness_price * std::max(0.0, 1 / max_speed - usual) * (end - begin);
+    if (rule.clearance_weight == 0.0) continue;
     const Segment part = part_of(segment, begin, end);
     const LocalState there = advance(task.vehicle, from, part_of(segment, 0.0, begin));
-    sum += (factor - 1.0) * rule.weight(gear_of(segment)) * (end - begin);
-    sum +=
-        factor * near_cost(task, rule, there, {&part, 1}, whole, sampling, (cutoff - sum) / factor);
+    sum += of_zone *
+           near_cost(task, rule, there, {&part, 1}, whole, sampling, (cutoff - sum) / of_zone);
   }
   return sum;
 }
@@ -330,8 +336,7 @@ double clearance_cost(const Task& task, const CostRule& rule, const LocalState& 
                       std::span<const Segment> segments, ClearanceSampling sampling,
                       double cutoff) {
   const double whole = length(segments);
-  if (!rule.has_priced_ground)
-    return near_cost(task, rule, from, segments, whole, sampling, cutoff);
+  if (!rule.tells_grounds()) return near_cost(task, rule, from, segments, whole, sampling, cutoff);
   double sum = 0.0;
   LocalState state = from;
   for (const Segment& segment : segments) {

@@ -161,7 +161,9 @@ class Builder {
 /// The part of a cap between two places of it.
 Cap part_of(const Cap& cap, double begin, double end) {
   const auto at = [&](double s) {
-    return s == cap.begin ? cap.first : s == cap.end ? cap.last : cap.first + (s - cap.begin) * cap.slope();
+    return s == cap.begin ? cap.first
+           : s == cap.end ? cap.last
+                          : cap.first + (s - cap.begin) * cap.slope();
   };
   return {begin, end, at(begin), at(end), cap.bound};
 }

@@ -28,7 +28,7 @@ double judged(const std::vector<Polygon>& obstacles, const Path& path) {
   const judge::Ground ground(surroundings);
   const judge::Body body{track, ground, judge::outlines_of(Vehicle{})};
   const std::vector<judge::PricedPart> whole =
-      judge::priced_parts({}, Vehicle{}, track, nullptr, judge::AtEdge::inside);
+      judge::priced_parts(Surroundings{}, Vehicle{}, track, nullptr, judge::AtEdge::inside);
   return judge::near_cost({&body, 1}, rule, whole);
 }
 

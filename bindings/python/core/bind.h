@@ -14,6 +14,7 @@ void bind_vehicle(pybind11::module_& module);
 void bind_grid(pybind11::module_& module);
 void bind_goal(pybind11::module_& module);
 void bind_zone(pybind11::module_& module);
+void bind_mask(pybind11::module_& module);
 void bind_scenario(pybind11::module_& module);
 void bind_moving(pybind11::module_& module);
 void bind_check(pybind11::module_& module);

@@ -57,6 +57,7 @@ PYBIND11_MODULE(_core, module) {
   own::bind_grid(module);
   own::bind_goal(module);
   own::bind_zone(module);
+  own::bind_mask(module);
   own::bind_scenario(module);
   own::bind_lengths(module);
   own::bind_own_planner(module);

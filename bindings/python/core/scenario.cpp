@@ -70,7 +70,7 @@ CheckedScenario make_scenario(const py::object& start, const py::object& goal,
                               double goal_hitch_angle, const std::string& name,
                               const py::dict& options, const std::vector<MovingObstacle>& moving,
                               const py::object& inside, const std::vector<Zone>& zones,
-                              const std::vector<OccupancyGrid>& masks, const py::object& grid) {
+                              const std::vector<Mask>& masks, const py::object& grid) {
   if (!grid.is_none()) warn_of_old_name("grid", "map");
   Scenario scenario{.name = name,
                     .vehicle = vehicle_from(vehicle),
@@ -84,9 +84,9 @@ CheckedScenario make_scenario(const py::object& start, const py::object& goal,
                     .zones = zones,
                     .map = map_from(map.is_none() ? grid : map, resolution, origin),
                     .moving = moving};
-  for (const OccupancyGrid& mask : masks) {
-    const std::string number = std::to_string(scenario.masks.size());
-    scenario.masks.push_back({name + ".mask" + number + ".yaml", mask});
+  scenario.masks = masks;
+  for (std::size_t i = 0; i < masks.size(); ++i) {
+    scenario.masks[i].map_file = name + ".mask" + std::to_string(i) + ".yaml";
   }
   scenario.bounds = bounds_from(bounds, scenario.map);
   if (scenario.goal_set.empty()) scenario.goal = pose_from(goal, "goal");
@@ -116,19 +116,19 @@ CheckedScenario scenario_of(const FileName& file) {
 void save_scenario(const CheckedScenario& self, const FileName& name) {
   const std::string file = name.string();
   const std::string stem = file.substr(0, file.rfind(".yaml"));
-  // Writes a map. Returns its name for files in the same folder.
-  const auto written = [&](const OccupancyGrid& map, const std::string& kind) {
+  // Writes a map or mask. Returns its name for files in the same folder.
+  const auto written = [&](const Mask& map, const std::string& kind) {
     const std::string path = stem + "." + kind;
     const std::string beside = path.substr(path.rfind('/') + 1);
-    write_file(path + ".pgm", map_to_pgm(map));
-    write_file(path + ".yaml", map_to_yaml(map, beside + ".pgm"));
+    write_file(path + ".pgm", mask_to_pgm(map));
+    write_file(path + ".yaml", mask_to_yaml(map, beside + ".pgm"));
     return beside + ".yaml";
   };
   ScenarioFile content = self.file();
   Scenario& scenario = content.scenario;
-  if (scenario.map) scenario.map_file = written(*scenario.map, "map");
+  if (scenario.map) scenario.map_file = written({"", *scenario.map}, "map");
   for (std::size_t i = 0; i < scenario.masks.size(); ++i) {
-    scenario.masks[i].map_file = written(scenario.masks[i].map, "mask" + std::to_string(i));
+    scenario.masks[i].map_file = written(scenario.masks[i], "mask" + std::to_string(i));
   }
   write_file(file, to_yaml(content));
 }
@@ -152,13 +152,11 @@ CheckedScenario among(const CheckedScenario& self, const std::vector<MovingObsta
   return self.with_moving(moving);
 }
 
-using FileAndMap = std::pair<std::string, OccupancyGrid>;
-
 /// State for pickle: the text of the scenario's file without masks, its map and its masks.
 py::tuple state_of_scenario(const CheckedScenario& self) {
   ScenarioFile file = self.file();
-  std::vector<FileAndMap> masks;
-  for (const Mask& mask : file.scenario.masks) masks.emplace_back(mask.map_file, mask.map);
+  std::vector<py::tuple> masks;
+  for (const Mask& mask : file.scenario.masks) masks.push_back(state_of_mask(mask));
   file.scenario.masks.clear();
   return py::make_tuple(to_yaml(file), self.scenario().map, masks);
 }
@@ -167,8 +165,8 @@ CheckedScenario scenario_from_state(const py::tuple& state) {
   ScenarioFile file = scenario_from_yaml(state[0].cast<std::string>(), "pickle",
                                          state[1].cast<std::optional<OccupancyGrid>>());
   if (state.size() > 2) {
-    for (const auto& [name, map] : state[2].cast<std::vector<FileAndMap>>()) {
-      file.scenario.masks.push_back({name, map});
+    for (const auto& mask : state[2].cast<std::vector<py::tuple>>()) {
+      file.scenario.masks.push_back(mask_from_state(mask));
     }
   }
   return CheckedScenario(std::move(file.scenario), std::move(file.options));
@@ -236,13 +234,7 @@ void bind_scenario_data(py::class_<CheckedScenario>& scenario) {
   property(
       "zones", [](const Scenario& s) { return s.zones; }, "Zones, `Zone` objects.");
   property(
-      "masks",
-      [](const Scenario& s) {
-        std::vector<OccupancyGrid> maps;
-        for (const Mask& mask : s.masks) maps.push_back(mask.map);
-        return maps;
-      },
-      "Further maps, `OccupancyGrid` objects, whose occupied cells are obstacles.");
+      "masks", [](const Scenario& s) { return s.masks; }, "Further maps, `Mask` objects.");
   property(
       "map", [](const Scenario& s) { return s.map; }, "The map, an `OccupancyGrid`, or None.");
   add_old_property(scenario, "grid", "map",
@@ -275,7 +267,7 @@ A planning problem, checked and immutable. Units are metres and radians.
   geopandas without holes. Only the wheels keep off kerbs.
 - `inside`: simple polygons, in one of which the whole body must stay.
 - `zones`: `Zone` objects: ground with rules of its own.
-- `masks`: `OccupancyGrid` objects, of which only occupied cells count: they are obstacles.
+- `masks`: `Mask` objects, or `OccupancyGrid` objects whose occupied cells are obstacles.
 - `map`: an `OccupancyGrid`, or a 2-D array with its `resolution` and `origin`.
 - `moving`: `MovingObstacle` objects.
 - `vehicle`: a `Vehicle`, a name, or a dict; None: a truck.
@@ -291,8 +283,7 @@ Raises InputError naming the argument that is wrong.)");
            "start_curvature"_a = 0.0, "goal_curvature"_a = 0.0, "start_hitch_angle"_a = 0.0,
            "goal_hitch_angle"_a = 0.0, "name"_a = "scenario", "options"_a = py::dict(),
            "moving"_a = std::vector<MovingObstacle>{}, "inside"_a = py::tuple(),
-           "zones"_a = std::vector<Zone>{}, "masks"_a = std::vector<OccupancyGrid>{},
-           "grid"_a = py::none())
+           "zones"_a = std::vector<Zone>{}, "masks"_a = std::vector<Mask>{}, "grid"_a = py::none())
       .def("with_poses", &moved, "start"_a = py::none(), "goal"_a = py::none(),
            R"(with_poses(start=None, goal=None) -> Scenario
 

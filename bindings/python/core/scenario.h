@@ -57,6 +57,10 @@ class CheckedScenario {
   mutable std::shared_ptr<const Problem> problem_;
 };
 
+/// State of a mask for pickle, and the mask of a state.
+[[nodiscard]] pybind11::tuple state_of_mask(const Mask& self);
+[[nodiscard]] Mask mask_from_state(const pybind11::tuple& state);
+
 /// Map from an array, a resolution [m] and an origin. Throws InputError naming "map" or one of its
 /// keys.
 [[nodiscard]] OccupancyGrid grid_from(const pybind11::object& given, double resolution,

@@ -237,11 +237,21 @@ std::vector<Mask> masks_at(const val& object) {
   const std::size_t count = size_of(list, "masks");
   for (std::size_t i = 0; i < count; ++i) {
     const std::string where = "masks[" + std::to_string(i) + "]";
-    allow_only(list[i], {"map", "as"}, where);
-    if (list[i]["as"].as<std::string>() != "obstacles") {
-      throw InputError(key_of(where, "as"), "expected obstacles");
+    allow_only(list[i], {"map", "as", "of", "percents"}, where);
+    const auto use = list[i]["as"].as<std::string>();
+    OccupancyGrid map = map_from(list[i]["map"]);
+    if (use == name_of(MaskUse::obstacles)) {
+      masks.push_back({"", std::move(map)});
+    } else if (use == name_of(MaskUse::max_speed)) {
+      masks.push_back(speed_mask(std::move(map), number_at(list[i], "of", where)));
+    } else if (use == name_of(MaskUse::cost)) {
+      masks.push_back(cost_mask(std::move(map), number_at(list[i], "of", where)));
+    } else {
+      throw InputError(key_of(where, "as"), "expected obstacles, max_speed or cost");
     }
-    masks.push_back({"", map_from(list[i]["map"])});
+    if (!has(list[i], "percents")) continue;
+    masks.back().percents = std::make_shared<const std::vector<std::uint8_t>>(
+        emscripten::convertJSArrayToNumberVector<std::uint8_t>(list[i]["percents"]));
   }
   return masks;
 }

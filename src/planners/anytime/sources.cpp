@@ -50,6 +50,7 @@ CostRule gears_alone(CostRule rule) {
   rule.curvature_change_cost = 0.0;
   rule.clearance_weight = 0.0;
   rule.has_priced_ground = false;
+  rule.slowness_price = 0.0;
   return rule;
 }
 
