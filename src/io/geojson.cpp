@@ -12,6 +12,7 @@
 
 #include "io/document.h"
 #include "io/geojson_feature.h"
+#include "io/geojson_zone.h"
 #include "io/local_plane.h"
 #include "io/site_shapes.h"
 #include "vandplan/input_error.h"
@@ -96,6 +97,8 @@ struct Draft {
   Pose goal;
   Shapes obstacles = {};
   Shapes kerbs = {};
+  std::vector<Zone> zones = {};
+  std::vector<const Node*> sources_of_zones = {};
   const Node* bounds = nullptr;  // Feature of the bounds.
   Polygon bounds_ring = {};      // Outer ring of the bounds.
   std::map<std::string, int> left_out = {};
@@ -143,22 +146,6 @@ void warn_of_ends_within(Draft& draft, const Node& source, const Polygon& ring) 
       fmt::format("{}: is an obstacle with {} in it; a boundary is a LineString along its ring, or "
                   "has kind \"bounds\"",
                   draft.file.place_of(source), ends));
-}
-
-/// Areas that the body must stay inside: the outer ring of the bounds, unless it is a box along the
-/// axes.
-std::vector<Polygon> inside_of(const Draft& draft) {
-  if (draft.bounds == nullptr) return {};
-  const Bounds box = bounding_box(draft.bounds_ring);
-  const double slack = 0.01 * std::max(box.x_max - box.x_min, box.y_max - box.y_min);
-  const auto is_at_corner = [&](const Point& p) {
-    return std::min(p.x - box.x_min, box.x_max - p.x) <= slack &&
-           std::min(p.y - box.y_min, box.y_max - p.y) <= slack;
-  };
-  const bool is_box =
-      draft.bounds_ring.size() >= 4 && std::ranges::all_of(draft.bounds_ring, is_at_corner);
-  if (is_box) return {};
-  return {draft.bounds_ring};
 }
 
 /// Adds an area with holes. If neither start nor goal lies in a hole, the holes are filled.
@@ -217,6 +204,29 @@ void add_shapes(Draft& draft, const Feature& feature) {
   });
 }
 
+void add_zones(Draft& draft, const Feature& feature) {
+  const Document& file = draft.file;
+  const Zone rules = rules_of(file, feature);
+  for_each_part(file, feature, [&](const Node& part) {
+    if (feature.type.ends_with("Polygon")) {
+      const std::vector<Node>& rings = file.list(part, "a list of rings");
+      if (rings.empty()) file.fail(part, "is empty, expected a ring");
+      draft.filled_holes += static_cast<int>(rings.size()) - 1;
+      draft.zones.push_back(rules);
+      draft.zones.back().area = ring_from(draft, rings.front());
+    } else if (feature.type.ends_with("LineString") && feature.kind == FeatureKind::one_way) {
+      const double width = feature.width.value_or(draft.site.default_width);
+      for (Zone& zone : street_along(line_from(draft, part), width, rules)) {
+        draft.zones.push_back(std::move(zone));
+      }
+    } else {
+      file.fail(*feature.geometry, "is a " + feature.type.substr(0, 40) +
+                                       ", expected a Polygon, or a LineString that is one-way");
+    }
+    draft.sources_of_zones.resize(draft.zones.size(), feature.node);
+  });
+}
+
 void read_bounds(Draft& draft, const Feature& feature) {
   if (draft.bounds != nullptr) {
     draft.file.fail(*feature.node, "are bounds once more, expected one feature of that kind");
@@ -241,6 +251,10 @@ void add_feature(Draft& draft, const Feature& feature) {
       return add_shapes(draft, feature);
     case FeatureKind::bounds:
       return read_bounds(draft, feature);
+    case FeatureKind::zone:
+    case FeatureKind::one_way:
+    case FeatureKind::speed:
+      return add_zones(draft, feature);
     case FeatureKind::ground:
       ++draft.left_out[feature.ground];
       return;
@@ -283,6 +297,9 @@ Bounds bounds_of(const Draft& draft) {
         points.insert(points.end(), polygon.begin(), polygon.end());
       }
     }
+    for (const Zone& zone : draft.zones) {
+      points.insert(points.end(), zone.area.begin(), zone.area.end());
+    }
   }
   const Bounds box = bounding_box(points);
   const auto rounded = [](double metres) { return std::round(metres * 1000) / 1000; };
@@ -294,15 +311,16 @@ Bounds bounds_of(const Draft& draft) {
 [[noreturn]] void blame(const Draft& draft, const Node* start, const Node* goal,
                         const InputError& error) {
   const std::string& key = error.where();
-  const auto source_in = [&](const Shapes& shapes) -> const Node* {
+  const auto source_in = [&](const std::vector<const Node*>& sources) -> const Node* {
     const std::size_t at = key.find('[');
     if (at == std::string::npos) return nullptr;
     const auto index = static_cast<std::size_t>(std::stoull(key.substr(at + 1)));
-    return index < shapes.sources.size() ? shapes.sources[index] : nullptr;
+    return index < sources.size() ? sources[index] : nullptr;
   };
   const Node* node = nullptr;
-  if (key.starts_with("obstacles")) node = source_in(draft.obstacles);
-  if (key.starts_with("kerbs")) node = source_in(draft.kerbs);
+  if (key.starts_with("obstacles")) node = source_in(draft.obstacles.sources);
+  if (key.starts_with("kerbs")) node = source_in(draft.kerbs.sources);
+  if (key.starts_with("zones")) node = source_in(draft.sources_of_zones);
   if (key.starts_with("bounds") || key.starts_with("inside")) node = draft.bounds;
   if (key.starts_with("start")) node = start;
   if (key.starts_with("goal")) node = goal;
@@ -363,7 +381,9 @@ GeoJsonScenario read_geojson(const GeoJsonSite& site) {
   scenario.bounds = bounds_of(draft);
   scenario.obstacles = draft.obstacles.polygons;
   scenario.kerbs = draft.kerbs.polygons;
-  scenario.inside = inside_of(draft);
+  const bool is_drawn = draft.bounds != nullptr && !is_box(draft.bounds_ring);
+  if (is_drawn) scenario.inside = {draft.bounds_ring};
+  scenario.zones = draft.zones;
   try {
     check_scenario(scenario);
   } catch (const InputError& error) {

@@ -26,17 +26,10 @@ struct NamedKind {
 };
 constexpr NamedKind feature_kinds[] = {
     {"obstacle", FeatureKind::obstacle}, {"kerb", FeatureKind::kerb},
-    {"bounds", FeatureKind::bounds},     {"start", FeatureKind::start},
-    {"goal", FeatureKind::goal},         {"ground", FeatureKind::ground}};
-
-/// A property; null if it is missing, null or empty, as map editors write empty properties.
-const Node* property(const Document& file, const Node& feature, std::string_view name) {
-  const Node* const properties = file.find(feature, "properties");
-  if (properties == nullptr || properties->kind == Node::Kind::nothing) return nullptr;
-  const Node* const found = file.find(*properties, name);
-  if (found == nullptr || found->kind == Node::Kind::nothing) return nullptr;
-  return found->kind == Node::Kind::scalar && found->text.empty() ? nullptr : found;
-}
+    {"bounds", FeatureKind::bounds},     {"zone", FeatureKind::zone},
+    {"one-way", FeatureKind::one_way},   {"speed", FeatureKind::speed},
+    {"start", FeatureKind::start},       {"goal", FeatureKind::goal},
+    {"ground", FeatureKind::ground}};
 
 /// A number of metres. OpenStreetMap writes it in quotes, sometimes with a unit.
 double metres_from(const Document& file, const Node& node) {
@@ -71,8 +64,9 @@ FeatureKind named_kind(const Document& file, const Node& node) {
   const std::string& name = file.text(node);
   const auto found = std::ranges::find(feature_kinds, name, &NamedKind::name);
   if (found != std::end(feature_kinds)) return found->kind;
-  file.fail(node, "is \"" + name.substr(0, 40) +
-                      "\", expected obstacle, kerb, bounds, start, goal or ground");
+  file.fail(node,
+            "is \"" + name.substr(0, 40) +
+                "\", expected obstacle, kerb, bounds, zone, one-way, speed, start, goal or ground");
 }
 
 /// Sorts a barrier of OpenStreetMap. Most barriers on points, such as gates, can be passed.
@@ -118,6 +112,7 @@ void read_heading(const Document& file, Feature& feature) {
     file.fail(*degrees, "is given beside heading, expected one of the two");
   }
   if (radians == nullptr && degrees == nullptr) {
+    if (feature.kind == FeatureKind::one_way) return;
     file.fail(*feature.node, "key \"heading\" is missing, expected either it or heading_deg");
   }
   feature.heading =
@@ -141,6 +136,7 @@ Feature feature_from(const Document& file, const Node& node) {
   const bool has_thickness =
       feature.kind == FeatureKind::obstacle || feature.kind == FeatureKind::kerb;
   if (is_point(feature) && has_thickness) feature.width = width_of(file, node);
+  if (feature.kind == FeatureKind::one_way) read_heading(file, feature);
   if (feature.kind != FeatureKind::start && feature.kind != FeatureKind::goal) return feature;
   if (feature.type != "Point") {
     file.fail(geometry,
@@ -168,6 +164,14 @@ bool is_metric(int epsg) {
 }
 
 }  // namespace
+
+const Node* property(const Document& file, const Node& feature, std::string_view name) {
+  const Node* const properties = file.find(feature, "properties");
+  if (properties == nullptr || properties->kind == Node::Kind::nothing) return nullptr;
+  const Node* const found = file.find(*properties, name);
+  if (found == nullptr || found->kind == Node::Kind::nothing) return nullptr;
+  return found->kind == Node::Kind::scalar && found->text.empty() ? nullptr : found;
+}
 
 std::vector<Feature> features_from(const Document& file) {
   const Node& type = file.at(file.root(), "type");

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "io/site_shapes.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace vandplan::io {
@@ -48,6 +49,16 @@ Polygon square_around(const Point& center, double side) {
           {center.x + half, center.y - half},
           {center.x + half, center.y + half},
           {center.x - half, center.y + half}};
+}
+
+bool is_box(const Polygon& ring) {
+  const Bounds box = bounding_box(ring);
+  const double slack = 0.01 * std::max(box.x_max - box.x_min, box.y_max - box.y_min);
+  const auto is_at_corner = [&](const Point& p) {
+    return std::min(p.x - box.x_min, box.x_max - p.x) <= slack &&
+           std::min(p.y - box.y_min, box.y_max - p.y) <= slack;
+  };
+  return ring.size() >= 4 && std::ranges::all_of(ring, is_at_corner);
 }
 
 }  // namespace vandplan::io

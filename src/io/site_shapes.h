@@ -18,4 +18,7 @@ namespace vandplan::io {
 /// Square with a centre, and sides of length `side` along the axes [m].
 [[nodiscard]] Polygon square_around(const Point& center, double side);
 
+/// Whether a ring is a box along the axes, but for one percent of its size.
+[[nodiscard]] bool is_box(const Polygon& ring);
+
 }  // namespace vandplan::io

@@ -12,6 +12,7 @@
 
 #include "io/site_shapes.h"
 #include "support/cases.h"
+#include "support/problems.h"
 #include "support/shared_files.h"
 #include "support/temporary_folder.h"
 #include "vandplan/input_error.h"
@@ -296,6 +297,47 @@ TEST_F(GeoJson, AHeadingInDegreesIsDoubted) {
       << warnings[0];
 }
 
+TEST_F(GeoJson, ZonesStreetsAndSpeedsBecomeZones) {
+  const Scenario made =
+      with(feature(R"({"kind": "zone", "name": "lawn", "closed": true, "body": true})", "Polygon",
+                   square) +
+           feature(R"({"kind": "speed", "max_speed": 2.5})", "Polygon", square) +
+           feature(R"({"kind": "one-way", "heading_deg": 90, "gears": "forward", "cost": 2})",
+                   "Polygon", square) +
+           feature(R"({"kind": "one-way", "direction": [0, 1]})", "MultiPolygon",
+                   "[" + square + "]") +
+           feature(R"({"kind": "one-way", "width": 4})", "LineString", "[[0, 0], [9, 0], [9, 9]]"))
+          .scenario;
+  const Polygon area = box(10, 10, 14, 14);
+  const double quarter = std::numbers::pi / 2;
+  ASSERT_EQ(made.zones.size(), 6U);
+  EXPECT_EQ(made.zones[0], (Zone{.name = "lawn", .area = area, .closed = true, .body = true}));
+  EXPECT_EQ(made.zones[1], (Zone{.area = area, .max_speed = 2.5}));
+  EXPECT_EQ(made.zones[2], (Zone{.area = area,
+                                 .gears = AllowedGears::forward,
+                                 .direction = HeadingRange{0, 2 * quarter},
+                                 .cost = 2}));
+  EXPECT_EQ(made.zones[3], (Zone{.area = area, .direction = HeadingRange{0, 1}}));
+  EXPECT_EQ(made.zones[4].direction, (HeadingRange{-quarter, quarter}));
+  EXPECT_EQ(bounding_box(made.zones[4].area), (Bounds{0, 9, -2, 2}));
+  EXPECT_EQ(made.zones[5].direction, (HeadingRange{0, 2 * quarter}));
+  EXPECT_TRUE(made.obstacles.empty());
+  EXPECT_EQ(message_with(feature(R"({"kind": "speed"})", "Polygon", square)),
+            "a.geojson:4: features[2]: key \"max_speed\" is missing, expected a speed in m/s");
+  EXPECT_EQ(message_with(feature(R"({"kind": "one-way"})", "Polygon", square)),
+            "a.geojson:4: features[2]: is one-way without direction, heading or heading_deg");
+  EXPECT_EQ(message_with(feature(R"({"kind": "zone"})", "Polygon", square)),
+            "a.geojson:4: features[2]: has no rule, expected closed, gears, direction, cost or "
+            "max_speed");
+  EXPECT_EQ(
+      message_with(feature(R"({"kind": "zone", "gears": "all"})", "Polygon", square)).substr(0, 43),
+      "a.geojson:4: features[2].properties.gears: ");
+  EXPECT_EQ(
+      message_with(feature(R"({"kind": "zone", "cost": 2})", "LineString", "[[0, 0], [9, 0]]")),
+      "a.geojson:4: features[2].geometry: is a LineString, expected a Polygon, or a "
+      "LineString that is one-way");
+}
+
 TEST_F(GeoJson, WhatCannotBeUsedHasOneLineEach) {
   EXPECT_EQ(message("{\"type\": \"Topology\"}"),
             "a.geojson:1: type: is \"Topology\", expected FeatureCollection");
@@ -315,7 +357,7 @@ TEST_F(GeoJson, WhatCannotBeUsedHasOneLineEach) {
   EXPECT_EQ(
       message_with(feature(R"({"kind": "house"})", "Polygon", square)),
       "a.geojson:4: features[2].properties.kind: is \"house\", expected obstacle, kerb, bounds, "
-      "start, goal or ground");
+      "zone, one-way, speed, start, goal or ground");
   EXPECT_EQ(message_with(feature(R"({"width": "6'"})", "LineString", "[[0, 0], [1, 1]]")),
             "a.geojson:4: features[2].properties.width: is \"6'\", expected a number of metres");
   EXPECT_EQ(message_with(feature(R"({"width": -1})", "LineString", "[[0, 0], [1, 1]]")),
