@@ -291,9 +291,11 @@ void Composer::add_survey() {
 // [9] Adds the wall prover, which works while there is no route.
 void Composer::add_wall_prover() {
   const auto never = [](const Progress&) { return 0; };
-  Slot& slot =
-      add("wall prover",
-          std::make_unique<WallProver>(std::vector<WallProver::Body>{{&task_, "vehicle"}}), never);
+  Slot& slot = add("wall prover",
+                   std::make_unique<WallProver>(
+                       std::vector<WallProver::Body>{{&task_, "nothing as wide as the vehicle"}},
+                       rule_.only_gear()),
+                   never);
   slot.proofs = [first = is_far_ ? first_wall_round_far : first_wall_round](const Progress& now) {
     if (now.has_route || now.rounds < first) return std::int64_t{0};
     return now.rounds < first + rounds_of_early_wall_steps ? early_wall_steps : late_wall_steps;

@@ -41,8 +41,10 @@ Proven LengthProver::proven() const {
 std::int64_t WallProver::prove(std::int64_t steps, const search::Budget& budget) {
   if (enclosures_.empty()) {
     for (const Body& body : bodies_) enclosures_.emplace_back(*body.task);
+    barrier_.emplace(*bodies_.front().task, only_);
   }
   std::int64_t all = 0;
+  while (all < steps && !budget.is_interrupted() && barrier_->step()) ++all;
   for (search::Enclosure& enclosure : enclosures_) {
     std::int64_t done = 0;
     while (done < steps && !budget.is_interrupted() && enclosure.step()) ++done;  // [9]
@@ -52,6 +54,7 @@ std::int64_t WallProver::prove(std::int64_t steps, const search::Budget& budget)
 }
 
 Proven WallProver::proven() const {
+  if (barrier_ && barrier_->is_proven()) return {.walled_in = "nothing that keeps to the zones"};
   for (std::size_t i = 0; i < enclosures_.size(); ++i) {
     if (enclosures_[i].is_proven()) return {.walled_in = bodies_[i].name};
   }

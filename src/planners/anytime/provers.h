@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "planners/anytime/worker.h"
+#include "search/barrier.h"
 #include "search/enclosure.h"
 #include "search/geodesic.h"
 #include "search/pose_flood.h"
@@ -40,16 +41,19 @@ class LengthProver final : public Worker {
   double best_cost_;  // least cost of all routes that the worker knows
 };
 
-/// Proves that nothing as wide as one of the bodies gets from the start to the goal. It has steps
-/// but no iterations, so results of an iteration budget do not depend on it.
+/// Proves that nothing as wide as one of the bodies gets from the start to the goal, or that rules
+/// of zones forbid it. It has steps but no iterations, so results of an iteration budget do not
+/// depend on it.
 class WallProver final : public Worker {
  public:
   /// One body of the vehicle.
   struct Body {
     const Task* task = nullptr;  ///< task of the body alone; outlives the worker
-    std::string_view name = {};  ///< name of the body for the reason of an answer
+    std::string_view name = {};  ///< what is as wide, for the reason of an answer
   };
-  explicit WallProver(std::vector<Body> bodies) : bodies_(std::move(bodies)) {}
+  /// The first body is the vehicle itself. `only`: gear of all paths; 0: both gears.
+  WallProver(std::vector<Body> bodies, search::GearSign only)
+      : bodies_(std::move(bodies)), only_(only) {}
 
   [[nodiscard]] bool has_work() const override { return false; }
   [[nodiscard]] Found work(std::int64_t, const Told&, const search::Budget&) override { return {}; }
@@ -59,7 +63,9 @@ class WallProver final : public Worker {
 
  private:
   std::vector<Body> bodies_;
+  search::GearSign only_;
   std::deque<search::Enclosure> enclosures_;  // one for each body; none before the first step
+  std::optional<search::Barrier> barrier_;    // none before the first step
 };
 
 }  // namespace vandplan::anytime

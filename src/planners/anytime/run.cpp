@@ -276,10 +276,9 @@ PlannerAnswer Run::answer() {
     answer.status = PlanStatus::solved;
     return answer;
   }
-  if (const std::string_view body = proven().walled_in; !body.empty()) {
+  if (const std::string_view what = proven().walled_in; !what.empty()) {
     answer.status = PlanStatus::no_path;
-    answer.reason =
-        "proven: nothing as wide as the " + std::string(body) + " gets from the start to the goal";
+    answer.reason = "proven: " + std::string(what) + " gets from the start to the goal";
     return answer;
   }
   answer.status = end_.value_or(PlanStatus::iteration_limit);  // the run has only paused

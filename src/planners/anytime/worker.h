@@ -45,7 +45,8 @@ struct Proven {
   /// Lower bound of the length of paths with exact ends, with headings [m]. Ends that are off may
   /// make a path shorter by `OpenGround::leeway`.
   double shortest_turn = 0.0;
-  /// Which body is proven not to get from the start to the goal, such as "vehicle"; empty: none.
+  /// What is proven not to get from the start to the goal, such as "nothing as wide as the
+  /// vehicle"; empty: none.
   std::string_view walled_in = {};
 };
 

@@ -79,6 +79,15 @@ std::optional<anytime::Drive> drive_along(const Setting& setting, const Path& kn
   return Improver(setting, {*std::move(commands), 0}, 0).drive();
 }
 
+/// Proves that neither the vehicle nor its trailer gets through.
+std::unique_ptr<anytime::WallProver> wall_prover(const Setting& setting) {
+  std::vector<anytime::WallProver::Body> bodies = {
+      {&setting.task, "nothing as wide as the vehicle"},
+      {&setting.towed, "nothing as wide as the trailer"}};
+  return std::make_unique<anytime::WallProver>(std::move(bodies),
+                                               setting.pricing.rule().only_gear());
+}
+
 }  // namespace
 
 void add_workers(anytime::Portfolio& portfolio, const Task& task, const PlanOptions& options,
@@ -134,10 +143,7 @@ void add_workers(anytime::Portfolio& portfolio, const Task& task, const PlanOpti
           return now.has_route ? anytime::growing_share(turn, now.rounds_with_route) : turn;
         });
   }
-  add("wall prover",
-      std::make_unique<anytime::WallProver>(std::vector<anytime::WallProver::Body>{
-          {&setting->task, "vehicle"}, {&setting->towed, "trailer"}}),
-      [](const Progress&) { return 0; });
+  add("wall prover", wall_prover(*setting), [](const Progress&) { return 0; });
   portfolio.slots.back().proofs = [](const Progress& now) {
     return now.has_route ? 0 : steps_of_proof << std::min(now.rounds, most_doublings_of_proof);
   };
