@@ -61,28 +61,35 @@ struct Travel {
 };
 
 /// Place between `begin` and `end` where a monotonic function changes its sign. It has the values
-/// `first` and `last` there, of different signs. Regula falsi after Dowell and Jarratt 1971.
+/// `first` and `last` there, of different signs. Regula falsi after Dowell and Jarratt 1971, with
+/// halvings that make the interval short from both sides.
 template <typename Height>
 double crossing(double begin, double end, double first, double last, const Height& height) {
-  constexpr int most_steps = 60;
-  constexpr double close_enough = 1e-12;  // [m]
+  constexpr int most_steps = 120;
+  constexpr double close_enough = 1e-7;  // a straight line between the ends is exact then [m]
+  double weight_of_first = 1.0, weight_of_last = 1.0;
+  int replaced_last = 0;  // end that the last step moved: -1 begin, 1 end
   for (int i = 0; i < most_steps && end - begin > close_enough; ++i) {
-    const double share = first / (first - last);
-    const bool halves = i % 4 == 3 || !(share > 0 && share < 1);
-    const double middle = begin + (end - begin) * (halves ? 0.5 : share);
+    const double a = weight_of_first * first, b = weight_of_last * last;
+    const double share = i % 4 == 3 ? 0.5 : a / (a - b);
+    const double middle = begin + (end - begin) * share;
     const double there = height(middle);
     if (there == 0.0) return middle;
     if ((there < 0) == (first < 0)) {
       begin = middle;
       first = there;
-      last /= 2;
+      weight_of_last = replaced_last == -1 ? weight_of_last / 2 : 1.0;
+      weight_of_first = 1.0;
+      replaced_last = -1;
     } else {
       end = middle;
       last = there;
-      first /= 2;
+      weight_of_first = replaced_last == 1 ? weight_of_first / 2 : 1.0;
+      weight_of_last = 1.0;
+      replaced_last = 1;
     }
   }
-  return end;
+  return begin + (end - begin) * (first == last ? 0.5 : first / (first - last));
 }
 
 }  // namespace vandplan::collision

@@ -84,6 +84,12 @@ void add_crossings(const Pose& from, const Segment& segment, const Point& a, con
                    std::vector<double>& places) {
   const Point side{b.x - a.x, b.y - a.y};
   const double squared = side.x * side.x + side.y * side.y;
+  // Most sides are out of reach.
+  const Point off{from.x - a.x, from.y - a.y};
+  const double reach = std::abs(segment.length) * std::sqrt(squared);
+  const double ahead = side.x * off.x + side.y * off.y;
+  if (std::abs(side.x * off.y - side.y * off.x) > reach) return;
+  if (ahead < -reach - on_side * squared || ahead > squared + reach + on_side * squared) return;
   const Travel travel(from, segment, segment.length < 0 ? -1 : 1);
   const auto axle_at = [&](double s) { return advance(from, part_of(segment, 0.0, s)); };
   const auto left_of = [&](const Pose& p) { return side.x * (p.y - a.y) - side.y * (p.x - a.x); };

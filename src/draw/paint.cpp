@@ -316,6 +316,12 @@ void paint_scene(cairo_t* cairo, const Scene& scene, const View& view) {
   paint_polygons(cairo, scene.kerbs, colour::kerb, view);
   if (scene.map) paint_map(cairo, *scene.map, view);
   for (const OccupancyGrid& map : scene.masks) paint_map(cairo, map, view);
+  for (const OccupancyGrid& map : scene.faint_masks) {
+    cairo_push_group(cairo);
+    paint_map(cairo, map, view);
+    cairo_pop_group_to_source(cairo);
+    cairo_paint_with_alpha(cairo, 0.25);
+  }
   paint_polygons(cairo, scene.obstacles, colour::obstacle, view);
   paint_moving(cairo, scene, view);
   paint_tree(cairo, scene, view);

@@ -149,10 +149,15 @@ std::vector<Shadow> shadows_of(const std::vector<MovingObstacle>& moving, const 
   return shadows;
 }
 
-/// The map with free cells in the place of unknown ones.
-OccupancyGrid without_unknown(OccupancyGrid map) {
+/// The map of a mask. Only cells that say something are occupied.
+OccupancyGrid without_unknown(const Mask& mask) {
+  OccupancyGrid map = mask.map;
   std::vector<Cell> cells = *map.cells;
   std::replace(cells.begin(), cells.end(), Cell::unknown, Cell::free);
+  for (std::size_t i = 0; mask.percents && i < cells.size(); ++i) {
+    const std::uint8_t percent = (*mask.percents)[i];
+    cells[i] = percent == 0 || percent == Mask::unknown ? Cell::free : Cell::occupied;
+  }
   map.cells = std::move(cells);
   return map;
 }
@@ -163,7 +168,9 @@ std::vector<Polygon> things_in(const Scene& scene) {
   things.insert(things.end(), scene.kerbs.begin(), scene.kerbs.end());
   things.insert(things.end(), scene.inside.begin(), scene.inside.end());
   for (const Zone& zone : scene.zones) things.push_back(zone.area);
-  for (const OccupancyGrid& map : scene.masks) things.push_back(outline(map));
+  for (const auto* masks : {&scene.masks, &scene.faint_masks}) {
+    for (const OccupancyGrid& map : *masks) things.push_back(outline(map));
+  }
   if (scene.map) things.push_back(outline(*scene.map));
   for (const Shadow& shadow : scene.shadows) things.push_back(shadow.outline);
   return things;
@@ -232,8 +239,11 @@ Scene scene_of(const Drawing& drawing) {
   for (Zone& zone : scene.zones) {
     zone.area = moved(std::vector<Polygon>{zone.area}, scene.origin).front();
   }
-  for (const Mask& mask : scenario.masks) scene.masks.push_back(without_unknown(mask.map));
-  for (OccupancyGrid& map : scene.masks) map.origin = moved(map.origin, scene.origin, "masks");
+  for (const Mask& mask : scenario.masks) {
+    OccupancyGrid map = without_unknown(mask);
+    map.origin = moved(map.origin, scene.origin, "masks");
+    (mask.use == MaskUse::obstacles ? scene.masks : scene.faint_masks).push_back(std::move(map));
+  }
   scene.shadows = shadows_of(scenario.moving, scene.origin);
   scene.map = scenario.map;
   if (scene.map) scene.map->origin = moved(scene.map->origin, scene.origin, "map.origin");

@@ -33,7 +33,8 @@ struct Scene {
   std::vector<Zone> zones;
   std::optional<OccupancyGrid> map;
   std::vector<OccupancyGrid> masks;  ///< Maps without unknown cells, on which nothing is drawn.
-  std::vector<Shadow> shadows;       ///< Moving obstacles, the latest time first.
+  std::vector<OccupancyGrid> faint_masks;  ///< Masks that limit speeds or have prices: where.
+  std::vector<Shadow> shadows;             ///< Moving obstacles, the latest time first.
   std::optional<Path> path;
   double margin = 0.0;           ///< Margin around the swept area [m].
   TreeSnapshot tree;             ///< Empty if there is no tree.

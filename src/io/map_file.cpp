@@ -85,6 +85,10 @@ Cell cell_between(const Rule& rule, double occupancy) {
   return occupancy < rule.free_thresh ? Cell::free : Cell::unknown;
 }
 
+std::uint32_t darkness_of(const Rule& rule, std::uint32_t brightness, std::uint32_t white) {
+  return rule.negate ? brightness : white - brightness;
+}
+
 /// Cell of a brightness between 0 and `white`. Values between the thresholds, which map_server
 /// grades in mode `scale`, are unknown.
 Cell cell_of(const Rule& rule, std::uint32_t brightness, std::uint32_t white) {
@@ -93,7 +97,7 @@ Cell cell_of(const Rule& rule, std::uint32_t brightness, std::uint32_t white) {
     return percent > 100 ? Cell::unknown : cell_between(rule, percent / 100);
   }
   // A single division, so that 51 of 255 is not below a threshold of 0.2.
-  const std::uint32_t part = rule.negate ? brightness : white - brightness;
+  const std::uint32_t part = darkness_of(rule, brightness, white);
   return cell_between(rule, static_cast<double>(part) / white);
 }
 
@@ -107,8 +111,8 @@ std::uint8_t percent_of(const Rule& rule, std::uint32_t brightness, std::uint32_
   if (cell == Cell::free) return 0;
   if (cell == Cell::occupied) return 100;
   if (rule.mode == Mode::trinary) return Mask::unknown;
-  const std::uint32_t part = rule.negate ? brightness : white - brightness;
-  const double share = static_cast<double>(part) / white - rule.free_thresh;
+  const double share =
+      static_cast<double>(darkness_of(rule, brightness, white)) / white - rule.free_thresh;
   const double all = rule.occupied_thresh - rule.free_thresh;
   return all > 0 ? static_cast<std::uint8_t>(std::rint(100 * share / all)) : 0;
 }

@@ -6,14 +6,17 @@
 #include <cmath>
 #include <vector>
 
+#include "judge/drive_time.h"
+#include "judge/near_cost.h"
 #include "judge/text.h"
+#include "judge/zone_prices.h"
 
 namespace vandplan::judge {
 namespace {
 
 // Tolerance of lengths [m], and relative tolerance of costs.
 constexpr double length_tolerance = 1e-6;
-constexpr double near_tolerance = 1e-3;  // relative tolerance of a cost with a price of clearance
+constexpr double near_tolerance = 1e-3;  // relative tolerance of a cost with a price of the ground
 constexpr double time_tolerance = 1e-3;  // relative tolerance of a cost that is the time
 constexpr double finely_seen = 1e5;      // up to this length of a path `near_cost` is fine [m]
 constexpr double gap_tolerance = 1e-6;
@@ -78,7 +81,8 @@ std::optional<std::string> false_cost(const Track& track, const Found& found,
   const double rough = std::max(1.0, static_cast<double>(track.length) / finely_seen);
   const double tolerance =
       length_tolerance * (1 + cost) +
-      (stated.rule.clearance_weight.value_or(0.0) > 0 ? near_tolerance * rough * cost : 0.0);
+      (stated.rule.clearance_weight.value_or(0.0) > 0 ? near_tolerance * rough * cost : 0.0) +
+      (found.has_priced_ground ? near_tolerance * (1 + cost) : 0.0);
   if (!(stated.cost >= least - tolerance && stated.cost <= cost + tolerance)) {
     return text("the stated cost is %.10g m, the path costs %.10g m", stated.cost, cost);
   }
@@ -140,6 +144,31 @@ std::optional<std::string> false_poses(const Track& track, const Trailing* trail
 }
 
 }  // namespace
+
+void find_surcharges(const Task& task, std::span<const Body> bodies, const Trailing* trailing,
+                     const CostOptions& rule, Found& found) {
+  const Surroundings& ground = task.world->local();
+  const Track& track = bodies.front().track;
+  const auto surcharge = [&](AtEdge at_edge) {
+    const std::vector<PricedPart> parts =
+        priced_parts(ground, task.vehicle, track, trailing, at_edge);
+    return zone_cost(track, rule, parts) + near_cost(bodies, rule, parts);
+  };
+  found.most_surcharge = surcharge(AtEdge::inside);
+  found.has_priced_ground = has_prices(ground);
+  found.least_surcharge =
+      found.has_priced_ground ? surcharge(AtEdge::outside) : found.most_surcharge;
+}
+
+void find_times(const Task& task, const Track& track, const Trailing* trailing, Found& found) {
+  const Surroundings& ground = task.world->local();
+  const auto time = [&](AtEdge at_edge) {
+    return drive_time(track, task.vehicle, task.curvatures.start,
+                      priced_parts(ground, task.vehicle, track, trailing, at_edge));
+  };
+  found.most_time = time(AtEdge::inside);
+  found.least_time = has_prices(ground) ? time(AtEdge::outside) : found.most_time;
+}
 
 std::optional<std::string> false_claim(const Track& track, const Trailing* trailing,
                                        const Found& found, const PathClaims& claims) {

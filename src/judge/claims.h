@@ -4,8 +4,10 @@
 // Are the claims about a path true?
 
 #include <optional>
+#include <span>
 #include <string>
 
+#include "judge/body.h"
 #include "judge/track.h"
 #include "judge/trailing.h"
 #include "vandplan/judge.h"
@@ -22,8 +24,16 @@ struct Found {
   /// time: at the edge of a zone either is right.
   double least_time = 0.0;
   double most_time = 0.0;
+  bool has_priced_ground = false;  ///< whether zones or masks have prices or limits
   bool has_jerk_limit = false;
 };
+
+/// Computes the cost of being near obstacles and in zones.
+void find_surcharges(const Task& task, std::span<const Body> bodies, const Trailing* trailing,
+                     const CostOptions& rule, Found& found);
+
+/// Computes the durations of the fastest drive, with the edges of zones inside and outside of them.
+void find_times(const Task& task, const Track& track, const Trailing* trailing, Found& found);
 
 /// One line about the first false claim, with the true value; none if all claims are true.
 /// `trailing` is null without a trailer.

@@ -74,6 +74,7 @@ double drive_time(const Track& track, const Vehicle& vehicle, double start_curva
   Real curvature = start_curvature;  // curvature to which the wheels are turned [1/m]
   Real direction = 0;
   Real passed_over = 0;
+  std::size_t part = 0;
   for (std::size_t i = 0; i < track.stretches.size(); ++i) {
     const Stretch& stretch = track.stretches[i];
     passed_over += stretch.length;
@@ -90,10 +91,19 @@ double drive_time(const Track& track, const Vehicle& vehicle, double start_curva
     // Samples are denser near the ends, where the vehicle may reach its speed within a tiny
     // distance.
     const Real count = std::max(least, std::ceil(stretch.length / step));
+    const auto add = [&](Real t, Real most) {
+      places.push_back({stretch.s + t, std::min(square_at(stretch, t, vehicle), most * most)});
+    };
+    while (part < parts.size() && parts[part].stretch < i) ++part;
     for (Real k = 0; k <= count; ++k) {
       const Real t = stretch.length * (1 - std::cos(pi * k / count)) / 2;
-      const Real most = max_speed_at(parts, {i, t});
-      places.push_back({stretch.s + t, std::min(square_at(stretch, t, vehicle), most * most)});
+      // Both sides of each place where a limit begins or ends.
+      for (; part + 1 < parts.size() && parts[part + 1].stretch == i && parts[part].end < t;
+           ++part) {
+        add(parts[part].end, parts[part].max_speed);
+        add(parts[part].end, parts[part + 1].max_speed);
+      }
+      add(t, max_speed_at(parts, {i, t}));
     }
   }
   return static_cast<double>(time + time_of(places, vehicle.limits));

@@ -9,12 +9,20 @@
 namespace vandplan::judge {
 namespace {
 
-constexpr Real at_line = 1e-6;    // distance from another cell at which it may count [m]
-constexpr Real last_part = 1e-3;  // part of which only the ends are looked at [m]
+constexpr Real at_line = 1e-6;  // distance from another cell at which it may count [m]
+// Part of which only the ends are looked at: so short that its price does not matter [m].
+constexpr Real longest_part_unseen = 1e-3, price_of_part_unseen = 2e-3;
 constexpr int halvings_of_part = 50;
 constexpr std::int64_t most_cells = 4;  // cells along a side of a box that are looked at, at once
 
 }  // namespace
+
+MaskLook::MaskLook(const Mask& mask, const Track& track, AtEdge at_edge)
+    : mask_(mask), track_(track), at_edge_(at_edge), last_part_(longest_part_unseen) {
+  if (mask.use != MaskUse::cost || mask.multiplier == 0) return;
+  const Real dearest = 100 * std::abs(static_cast<Real>(mask.multiplier));
+  last_part_ = std::clamp<Real>(price_of_part_unseen / dearest, 1e-6, longest_part_unseen);
+}
 
 bool is_graded(const Mask& mask) { return mask.use != MaskUse::obstacles; }
 
@@ -74,7 +82,7 @@ void MaskLook::add_changes(std::size_t stretch, Real begin, Real end,
   const Real middle = (begin + end) / 2;
   const auto [least, most] = around({stretch, middle}, (end - begin) / 2 + at_line);
   if (least == most) return;
-  if (end - begin > last_part) {
+  if (end - begin > last_part_) {
     add_changes(stretch, begin, middle, places);
     add_changes(stretch, middle, end, places);
     return;

@@ -9,7 +9,7 @@
 
 #include "judge/track.h"
 #include "judge/zone_prices.h"
-#include "vandplan/collision.h"
+#include "vandplan/problem.h"
 
 namespace vandplan::judge {
 
@@ -21,8 +21,7 @@ namespace vandplan::judge {
 class MaskLook {
  public:
   /// Mask and track must outlive the object.
-  MaskLook(const Mask& mask, const Track& track, AtEdge at_edge)
-      : mask_(mask), track_(track), at_edge_(at_edge) {}
+  MaskLook(const Mask& mask, const Track& track, AtEdge at_edge);
 
   /// Adds the places of a stretch where the mask says something else.
   void add_changes(std::size_t stretch, Real begin, Real end, std::vector<Real>& places) const;
@@ -42,6 +41,7 @@ class MaskLook {
   const Mask& mask_;
   const Track& track_;
   AtEdge at_edge_;
+  Real last_part_;  // Part of which only the ends are looked at [m].
 };
 
 }  // namespace vandplan::judge

@@ -13,14 +13,11 @@
 #include "judge/along.h"
 #include "judge/body.h"
 #include "judge/claims.h"
-#include "judge/drive_time.h"
 #include "judge/goals.h"
 #include "judge/ground.h"
-#include "judge/near_cost.h"
 #include "judge/steering.h"
 #include "judge/text.h"
 #include "judge/track.h"
-#include "judge/zone_prices.h"
 #include "judge/zones.h"
 
 namespace vandplan {
@@ -314,31 +311,6 @@ Task with_goal(const Task& task, const Goal& goal) {
   to.curvatures.goal = goal.curvature;
   to.hitch_angles.goal = goal.hitch_angle;
   return to;
-}
-
-/// Computes the cost of being near obstacles and in zones.
-void find_surcharges(const Task& task, const Bodies& bodies, const Trailing* trailing,
-                     const CostOptions& rule, Found& found) {
-  const Surroundings& ground = task.world->local();
-  const Track& track = bodies.front().track;
-  const auto surcharge = [&](AtEdge at_edge) {
-    const std::vector<PricedPart> parts =
-        priced_parts(ground, task.vehicle, track, trailing, at_edge);
-    return zone_cost(track, rule, parts) + near_cost(bodies, rule, parts);
-  };
-  found.most_surcharge = surcharge(AtEdge::inside);
-  found.least_surcharge = has_prices(ground) ? surcharge(AtEdge::outside) : found.most_surcharge;
-}
-
-/// Computes the durations of the fastest drive, with the edges of zones inside and outside of them.
-void find_times(const Task& task, const Track& track, const Trailing* trailing, Found& found) {
-  const Surroundings& ground = task.world->local();
-  const auto time = [&](AtEdge at_edge) {
-    return drive_time(track, task.vehicle, task.curvatures.start,
-                      priced_parts(ground, task.vehicle, track, trailing, at_edge));
-  };
-  found.most_time = time(AtEdge::inside);
-  found.least_time = has_prices(ground) ? time(AtEdge::outside) : found.most_time;
 }
 
 /// First fault of a path, and its least clearance [m]. `trailing` is null without a trailer.

@@ -16,7 +16,8 @@ namespace {
 constexpr double axle_slack = 1e-6;    // distance from an edge at which the axle may be inside [m]
 constexpr double body_slack = 1.5e-3;  // distance at which a body may touch [m]
 constexpr double beyond_zone = 1.0;    // distances above are not distinguished [m]
-constexpr Real shortest = 1e-3;        // part of which only the ends are looked at [m]
+// Part of which only the ends are looked at: so short that its price does not matter [m].
+constexpr Real longest_unseen = 1e-3, price_unseen = 2e-3;
 constexpr Real surely = 0.02;  // part on which a body touches if it does at three places [m]
 constexpr int halvings_of_edge = 50;
 
@@ -43,6 +44,9 @@ class Holding {
           AtEdge at_edge)
       : zone_(zone), bodies_(zone, vehicle, track, trailing) {
     const bool is_most = at_edge == AtEdge::inside;
+    if (zone.cost > 1) {
+      shortest_ = std::clamp<Real>(price_unseen / (zone.cost - 1), 1e-6, longest_unseen);
+    }
     level_ = zone.body ? (is_most ? body_slack : 0.0) : (is_most ? axle_slack : -axle_slack);
   }
 
@@ -57,7 +61,7 @@ class Holding {
     const Place middle{stretch, (begin + end) / 2};
     const Real half = (end - begin) / 2;
     if (steady_at(middle) > half) return;
-    if (end - begin <= shortest) {
+    if (end - begin <= shortest_) {
       add_change(stretch, begin, end, places);
       return;
     }
@@ -105,6 +109,7 @@ class Holding {
   const Zone& zone_;
   ZoneBodies bodies_;
   Real level_ = 0;
+  Real shortest_ = longest_unseen;
   Effort effort_;
 };
 

@@ -73,7 +73,8 @@ SpeedOptions speed_options(const Problem& problem, const Path& path) {
 }
 
 SpeedOptions speed_options(const Scenario& scenario, const Path& path) {
-  if (scenario.zones.empty() && scenario.masks.empty()) return {.start_curvature = scenario.curvatures.start};
+  if (scenario.zones.empty() && scenario.masks.empty())
+    return {.start_curvature = scenario.curvatures.start};
   return speed_options(make_problem(scenario), path);
 }
 

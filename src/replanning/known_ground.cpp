@@ -59,6 +59,7 @@ Surroundings copied_ground(const World& world) {
   for (std::vector<Polygon>* polygons : {&ground.obstacles, &ground.kerbs}) {
     for (Polygon& polygon : *polygons) pad(polygon);
   }
+  for (Zone& zone : ground.zones) pad(zone.area);
   return ground;
 }
 

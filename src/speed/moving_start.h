@@ -12,8 +12,8 @@ namespace vandplan::speed {
 
 /// Motion of a vehicle at the start of a path.
 struct MovingStart {
-  double curvature = 0.0;  ///< curvature to which the wheels are turned [1/m]
-  double speed = 0.0;      ///< speed in the gear of the first segment [m/s]; >= 0
+  double curvature = 0.0;                   ///< curvature to which the wheels are turned [1/m]
+  double speed = 0.0;                       ///< speed in the gear of the first segment [m/s]; >= 0
   std::span<const SpeedLimit> limits = {};  ///< limits of places on the path
 };
 

@@ -2,7 +2,11 @@
 // Copyright (c) 2026, the Vändplan authors
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <memory>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "support/reader_test.h"
 #include "support/shared_files.h"
@@ -146,13 +150,76 @@ TEST_F(ScenarioWithMap, ZonesAndMasksAreReadAndWritten) {
   EXPECT_EQ(*again.masks[0].map.cells, *scenario.masks[0].map.cells);
 }
 
+/// Three cells of a gray image: black, in the middle, white.
+TEST_F(ScenarioWithMap, MasksHaveGradesAsNav2PublishesThem) {
+  folder_.put("grey.pgm", std::string("P5\n5 1\n255\n") + '\0' + '\x7f' + '\xff' + '\x32' + '\x64');
+  const auto masks = [&](const std::string& mode, const std::string& keys) {
+    folder_.put("grey.yaml",
+                "image: grey.pgm\nresolution: 1\norigin: [0, 0, 0]\nnegate: 0\n"
+                "occupied_thresh: 0.9\nfree_thresh: 0.1\nmode: " +
+                    mode + "\n");
+    return read(
+               "bounds: {x: [-50, 50], y: [-40, 40]}\nobstacles: []\nmasks:\n  - {map: "
+               "grey.yaml, " +
+               keys + "}\n")
+        .masks;
+  };
+  const auto percents = [&](const std::string& mode) {
+    const Mask mask = masks(mode, "as: cost, of: 5").front();
+    return std::vector<int>(mask.percents->begin(), mask.percents->end());
+  };
+  EXPECT_EQ(percents("scale"), (std::vector<int>{100, 50, 0, 88, 63}));
+  EXPECT_EQ(percents("raw"), (std::vector<int>{0, 255, 255, 50, 100}));
+  EXPECT_EQ(percents("trinary"), (std::vector<int>{100, 255, 0, 255, 255}));
+  const auto as_is = [&](const std::string& keys) {
+    const Mask mask = masks("raw", keys).front();
+    return std::tuple(mask.use, mask.base, mask.multiplier);
+  };
+  using Values = std::tuple<MaskUse, double, double>;
+  EXPECT_EQ(as_is("as: cost, of: 5"), Values(MaskUse::cost, 1, 0.05));
+  EXPECT_EQ(as_is("as: obstacles"), Values(MaskUse::obstacles, 0, 0));
+  EXPECT_EQ(as_is("type: 0, base: 0, multiplier: 1"), Values(MaskUse::obstacles, 0, 0));
+  EXPECT_EQ(as_is("type: 2, base: 3, multiplier: -0.02"), Values(MaskUse::max_speed, 3, -0.02));
+  const double fastest = Vehicle{}.limits.max_speed.forward;
+  EXPECT_EQ(as_is("type: 1, base: 100, multiplier: -0.5"),
+            Values(MaskUse::max_speed, fastest, -0.5 * fastest / 100));
+}
+
+TEST_F(ScenarioWithMap, MasksAreWrittenAsTheyAre) {
+  OccupancyGrid map = read("map: map.yaml\n").map.value();
+  Scenario scenario = read("bounds: {x: [-50, 50], y: [-40, 40]}\nobstacles: []\n");
+  scenario.masks = {cost_mask(map, 7),
+                    speed_mask(map, 3),
+                    {.map = map, .use = MaskUse::max_speed, .base = 2, .multiplier = -0.01}};
+  for (std::size_t i = 0; i < scenario.masks.size(); ++i) {
+    Mask& mask = scenario.masks[i];
+    std::vector<std::uint8_t> percents(mask.map.cells->size(), Mask::unknown);
+    for (std::size_t k = 0; k < percents.size(); k += 2) {
+      percents[k] = static_cast<std::uint8_t>(17 * k % 99);
+    }
+    mask.percents = std::make_shared<const std::vector<std::uint8_t>>(percents);
+    const std::string name = "mask" + std::to_string(i);
+    folder_.put(name + ".pgm", mask_to_pgm(mask));
+    mask.map_file = name + ".yaml";
+    folder_.put(mask.map_file, mask_to_yaml(mask, name + ".pgm"));
+  }
+  const Scenario again = read_scenario(folder_.put("again.yaml", to_yaml(scenario)));
+  ASSERT_EQ(again.masks.size(), 3U);
+  for (std::size_t i = 0; i < again.masks.size(); ++i) {
+    EXPECT_EQ(again.masks[i].use, scenario.masks[i].use);
+    EXPECT_DOUBLE_EQ(again.masks[i].base, scenario.masks[i].base);
+    EXPECT_DOUBLE_EQ(again.masks[i].multiplier, scenario.masks[i].multiplier);
+    EXPECT_EQ(*again.masks[i].percents, *scenario.masks[i].percents);
+  }
+}
+
 TEST_F(ScenarioWithMap, FaultsOfZonesAndMasksNameTheirLine) {
   const auto fault = [&](const std::string& zones) { return message("map: map.yaml\n" + zones); };
   EXPECT_EQ(
       fault("zones:\n  - {area: [[0, 0], [1, 0], [1, 1]]}\n"),
       "s.yaml:7: zones[0]: has no rule, expected closed, gears, direction, cost or max_speed");
   EXPECT_EQ(fault("zones:\n  - {area: [[0, 0], [1, 0], [1, 1]], gears: fast}\n"),
-            "s.yaml:7: zones[0].gears: is \"fast\", expected both, forward or reverse");
+            "s.yaml:7: zones[0].gears: \"fast\" is not both, forward or reverse");
   EXPECT_EQ(fault("zones:\n  - {area: [[0, 0], [1, 0], [1, 1]], closed: 1}\n"),
             "s.yaml:7: zones[0].closed: is \"1\", expected true or false");
   EXPECT_EQ(fault("zones:\n  - {area: [[0, 0], [1, 0]], closed: true}\n"),
@@ -160,7 +227,17 @@ TEST_F(ScenarioWithMap, FaultsOfZonesAndMasksNameTheirLine) {
   EXPECT_EQ(fault("zones:\n  - {closed: true}\n"),
             "s.yaml:7: zones[0]: key \"area\" is missing, expected it");
   EXPECT_EQ(fault("masks:\n  - {map: map.yaml, as: walls}\n"),
-            "s.yaml:7: masks[0].as: is \"walls\", expected obstacles");
+            "s.yaml:7: masks[0].as: is \"walls\", expected obstacles, max_speed or cost");
+  EXPECT_EQ(fault("masks:\n  - {map: map.yaml, as: cost}\n"),
+            "s.yaml:7: masks[0]: key \"of\" is missing, expected it");
+  EXPECT_EQ(fault("masks:\n  - {map: map.yaml, as: obstacles, of: 3}\n"),
+            "s.yaml:7: masks[0].of: is given for obstacles, expected max_speed or cost");
+  EXPECT_EQ(fault("masks:\n  - {map: map.yaml, type: 3}\n"),
+            "s.yaml:7: masks[0].type: is 3, expected 0 (keepout), 1 (speed in %) or 2 (in m/s)");
+  EXPECT_EQ(fault("masks:\n  - {map: map.yaml, type: 1, as: cost}\n"),
+            "s.yaml:7: masks[0].as: is given beside type, expected one of them");
+  EXPECT_EQ(fault("masks:\n  - {map: map.yaml, as: cost, base: 1}\n"),
+            "s.yaml:7: masks[0].base: is given without type, expected type 0, 1 or 2 beside it");
   EXPECT_EQ(fault("masks:\n  - {map: none.yaml, as: obstacles}\n").substr(0, 24),
             "s.yaml:7: masks[0].map: ");
 }
@@ -399,8 +476,8 @@ std::vector<BadFile> bad_files() {
              "max_lateral_acceleration, max_jerk, hitch, max_hitch_angle, trailers, outline"),
       spoilt("name: yard", "title: yard",
              "1: unknown key \"title\", expected one of name, description, vehicle, bounds, start, "
-             "goal, goals, obstacles, kerbs, inside, zones, map, unknown, masks, moving, options, "
-             "origin"),
+             "goal, goals, via, obstacles, kerbs, inside, zones, map, unknown, masks, moving, "
+             "options, origin"),
       spoilt("name: yard\n", "", "1: key \"name\" is missing, expected it"),
       spoilt("width: 2.55, ", "", "3: vehicle: key \"width\" is missing, expected it"),
       spoilt("  y: 5.25   # metres\n", "", "7: goal: key \"y\" is missing, expected it"),
@@ -409,8 +486,8 @@ std::vector<BadFile> bad_files() {
       spoilt("goal:", "gaol:",
              "6: unknown key \"gaol\", did you mean goal? Expected one of name, description, "
              "vehicle, bounds, start, "
-             "goal, goals, obstacles, kerbs, inside, zones, map, unknown, masks, moving, options, "
-             "origin"),
+             "goal, goals, via, obstacles, kerbs, inside, zones, map, unknown, masks, moving, "
+             "options, origin"),
       spoilt("heading: .5", "y: 6",
              "9: key \"y\" is given again, expected it once (first on line 8)"),
       spoilt("start:", "map: yard.yaml\nstart:",

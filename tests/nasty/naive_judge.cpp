@@ -5,161 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <utility>
 #include <vector>
 
+#include "nasty/naive_geometry.h"
+#include "nasty/naive_zones.h"
+
 namespace vandplan::nasty {
 namespace {
-
-using Real = long double;
-
-constexpr Real pi = std::numbers::pi_v<Real>;
-
-struct Vector {
-  Real x = 0, y = 0;
-};
-
-struct Rectangle {
-  Real x_min, x_max, y_min, y_max;
-};
-
-/// A convex body: what is to the left of all its sides, each moved outwards by a margin.
-struct Body {
-  struct Line {
-    Vector outwards;  // unit vector
-    Real offset;      // of the line from the origin, that way
-    [[nodiscard]] Real beyond(const Vector& p) const {
-      return outwards.x * p.x + outwards.y * p.y - offset;
-    }
-  };
-  std::vector<Line> sides;
-  std::vector<Vector> corners;  // where neighbouring sides meet
-  Vector middle;
-  Real reach = 0;
-};
-
-/// The corners in either order.
-Body body_with(const Polygon& given, Real margin) {
-  Body body;
-  Real area = 0;
-  for (std::size_t i = 0, j = given.size() - 1; i < given.size(); j = i++) {
-    area += Real{given[j].x} * given[i].y - Real{given[j].y} * given[i].x;
-    body.middle.x += Real{given[i].x} / given.size();
-    body.middle.y += Real{given[i].y} / given.size();
-  }
-  for (std::size_t i = 0, j = given.size() - 1; i < given.size(); j = i++) {
-    const Real dx = Real{given[i].x} - given[j].x;
-    const Real dy = Real{given[i].y} - given[j].y;
-    const Real length = area > 0 ? std::hypot(dx, dy) : -std::hypot(dx, dy);
-    const Vector outwards{dy / length, -dx / length};
-    body.sides.push_back({outwards, outwards.x * given[i].x + outwards.y * given[i].y + margin});
-  }
-  for (std::size_t i = 0, j = body.sides.size() - 1; i < body.sides.size(); j = i++) {
-    const auto& [n, c] = body.sides[j];
-    const auto& [m, d] = body.sides[i];
-    const Real sine = n.x * m.y - n.y * m.x;
-    body.corners.push_back({(c * m.y - d * n.y) / sine, (d * n.x - c * m.x) / sine});
-  }
-  for (const Vector& c : body.corners) body.reach = std::max(body.reach, std::hypot(c.x, c.y));
-  return body;
-}
-
-Polygon rectangle(double rear, double front, double half_width) {
-  return {{rear, -half_width}, {front, -half_width}, {front, half_width}, {rear, half_width}};
-}
-
-Body body_of(const Vehicle& v, Real margin) {
-  if (!v.outline.empty()) return body_with(v.outline, margin);
-  return body_with(rectangle(-v.rear_overhang, v.wheelbase + v.front_overhang, v.width / 2),
-                   margin);
-}
-
-Body body_of(const Trailer& t, Real margin) {
-  if (!t.outline.empty()) return body_with(t.outline, margin);
-  return body_with(rectangle(-t.rear_overhang, t.wheelbase + t.front_overhang, t.width / 2),
-                   margin);
-}
-
-Body wheels_of(const Vehicle& v, Real margin) {
-  return body_with(rectangle(0, v.wheelbase, v.track_width.value_or(v.width) / 2), margin);
-}
-
-/// Where something is in a frame of somebody else: in the vehicle's or in the map's.
-struct Frame {
-  Vector origin;
-  Real cosine, sine;
-
-  [[nodiscard]] Vector seen(const Vector& p) const {
-    const Real x = p.x - origin.x;
-    const Real y = p.y - origin.y;
-    return {cosine * x + sine * y, cosine * y - sine * x};
-  }
-  [[nodiscard]] Vector placed(const Vector& p) const {
-    return {origin.x + cosine * p.x - sine * p.y, origin.y + sine * p.x + cosine * p.y};
-  }
-};
-
-Frame frame_at(const Vector& origin, Real heading) {
-  return {origin, std::cos(heading), std::sin(heading)};
-}
-
-/// Whether a part of the side lies inside the open body (Cyrus and Beck 1978).
-bool runs_through(const Vector& a, const Vector& b, const Body& body) {
-  Real begin = 0;
-  Real end = 1;
-  for (const Body::Line& side : body.sides) {
-    const Real first = side.beyond(a);
-    const Real last = side.beyond(b);
-    if (first >= 0 && last >= 0) return false;
-    if (first < 0 && last < 0) continue;
-    const Real crossing = first / (first - last);
-    (first > 0 ? begin : end) = first > 0 ? std::max(begin, crossing) : std::min(end, crossing);
-  }
-  if (begin > end) return false;
-  const Real middle = (begin + end) / 2;
-  const Vector p{a.x + middle * (b.x - a.x), a.y + middle * (b.y - a.y)};
-  return std::ranges::all_of(body.sides, [&](const auto& side) { return side.beyond(p) < 0; });
-}
-
-bool holds(const std::vector<Vector>& polygon, const Vector& p) {
-  bool inside = false;
-  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-    const Vector& a = polygon[j];
-    const Vector& b = polygon[i];
-    if ((a.y > p.y) == (b.y > p.y)) continue;
-    if (p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
-  }
-  return inside;
-}
-
-/// A polygon whose corners count from the start, and a box around it.
-struct Thing {
-  std::string name;
-  std::vector<Vector> corners;
-  Rectangle box;
-};
-
-Thing thing_of(const std::string& name, const Polygon& polygon, const Pose& start) {
-  constexpr Real far = 1e300;
-  Thing thing{name, {}, {far, -far, far, -far}};
-  for (const Point& p : polygon) {
-    const Vector corner{Real{p.x} - start.x, Real{p.y} - start.y};
-    thing.corners.push_back(corner);
-    thing.box = {std::min(thing.box.x_min, corner.x), std::max(thing.box.x_max, corner.x),
-                 std::min(thing.box.y_min, corner.y), std::max(thing.box.y_max, corner.y)};
-  }
-  return thing;
-}
-
-bool hits(const Thing& thing, const Body& body, const Frame& vehicle) {
-  std::vector<Vector> seen;
-  for (const Vector& corner : thing.corners) seen.push_back(vehicle.seen(corner));
-  for (std::size_t i = 0, j = seen.size() - 1; i < seen.size(); j = i++) {
-    if (runs_through(seen[j], seen[i], body)) return true;
-  }
-  return holds(seen, body.middle);
-}
 
 /// A scenario as the naive judge sees it.
 class Look {
@@ -173,10 +26,13 @@ class Look {
     add(scenario.obstacles, "obstacle", obstacles_);
     add(scenario.kerbs, "kerb", kerbs_);
     add(scenario.inside, "inside", areas_);
-    if (!scenario.map) return;
-    const Pose& origin = scenario.map->origin;
-    map_ = frame_at({Real{origin.x} - scenario.start.x, Real{origin.y} - scenario.start.y},
-                    origin.heading);
+    if (scenario.map) maps_.push_back({*scenario.map, "map", frame_of(*scenario.map)});
+    for (const Mask& mask : scenario.masks) {
+      if (mask.use != MaskUse::obstacles) continue;
+      OccupancyGrid occupied = mask.map;
+      occupied.unknown_is_free = true;
+      maps_.push_back({occupied, "mask", frame_of(occupied)});
+    }
   }
 
   /// What the vehicle hits at a place that counts from the start; empty if nothing.
@@ -209,6 +65,18 @@ class Look {
   [[nodiscard]] Real reach() const { return reach_; }
 
  private:
+  struct Map {
+    OccupancyGrid grid;
+    std::string name;
+    Frame frame;
+  };
+
+  [[nodiscard]] Frame frame_of(const OccupancyGrid& grid) const {
+    return frame_at(
+        {Real{grid.origin.x} - scenario_.start.x, Real{grid.origin.y} - scenario_.start.y},
+        grid.origin.heading);
+  }
+
   void add(const std::vector<Polygon>& polygons, const std::string& name,
            std::vector<Thing>& things) const {
     for (const Polygon& polygon : polygons) {
@@ -224,7 +92,10 @@ class Look {
       }
     }
     if (!areas_.empty() && !is_in_an_area(body, vehicle)) return "the edge";
-    return scenario_.map && hits_map(body, vehicle) ? "map" : "";
+    for (const Map& map : maps_) {
+      if (hits_map(map, body, vehicle)) return map.name;
+    }
+    return "";
   }
 
   /// Whether an area holds a body: it holds a place of it, and no side runs through it.
@@ -245,12 +116,12 @@ class Look {
   }
 
   /// Blocked cells near the body one by one; and the ground outside if that is blocked.
-  [[nodiscard]] bool hits_map(const Body& body, const Frame& vehicle) const {
-    const OccupancyGrid& grid = *scenario_.map;
+  [[nodiscard]] static bool hits_map(const Map& map, const Body& body, const Frame& vehicle) {
+    const OccupancyGrid& grid = map.grid;
     const Real side = grid.resolution;
     Rectangle near{1e300L, -1e300L, 1e300L, -1e300L};
     for (const Vector& corner : body.corners) {
-      const Vector p = map_.seen(vehicle.placed(corner));
+      const Vector p = map.frame.seen(vehicle.placed(corner));
       near = {std::min(near.x_min, p.x), std::max(near.x_max, p.x), std::min(near.y_min, p.y),
               std::max(near.y_max, p.y)};
     }
@@ -264,18 +135,19 @@ class Look {
          ++row) {
       for (std::int32_t column = clamped(near.x_min, grid.columns);
            column <= clamped(near.x_max, grid.columns); ++column) {
-        if (is_blocked(grid, column, row) && hits_cell(body, vehicle, column, row)) return true;
+        if (is_blocked(grid, column, row) && hits_cell(map, body, vehicle, column, row))
+          return true;
       }
     }
     return false;
   }
 
-  [[nodiscard]] bool hits_cell(const Body& body, const Frame& vehicle, std::int32_t column,
-                               std::int32_t row) const {
-    const Real side = scenario_.map->resolution;
+  [[nodiscard]] static bool hits_cell(const Map& map, const Body& body, const Frame& vehicle,
+                                      std::int32_t column, std::int32_t row) {
+    const Real side = map.grid.resolution;
     Thing cell;
     for (const auto& [right, up] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
-      cell.corners.push_back(map_.placed({side * (column + right), side * (row + up)}));
+      cell.corners.push_back(map.frame.placed({side * (column + right), side * (row + up)}));
     }
     return hits(cell, body, vehicle);
   }
@@ -288,50 +160,7 @@ class Look {
   std::vector<Thing> obstacles_;
   std::vector<Thing> kerbs_;
   std::vector<Thing> areas_;  ///< that the body stays in
-  Frame map_{};
-};
-
-/// A vehicle on its way, its place counted from the start.
-struct Drive {
-  Vector place;
-  Real heading;
-  Real angle;  ///< at the hitch, if there is a trailer
-
-  /// A step so short that three Gauss nodes are exact to the last digits.
-  void step(Real curvature, Real rate, Real signed_step) {
-    const Real gear = signed_step < 0 ? -1 : 1;
-    const Real driven = std::abs(signed_step);
-    const auto heading_at = [&](Real t) { return heading + gear * t * (curvature + rate * t / 2); };
-    const Real node = std::sqrt(Real{3} / 5);
-    for (const auto& [at, weight] : {std::pair<Real, Real>{-node, 5}, {0, 8}, {node, 5}}) {
-      const Real there = heading_at(driven / 2 * (1 + at));
-      place.x += signed_step * weight / 18 * std::cos(there);
-      place.y += signed_step * weight / 18 * std::sin(there);
-    }
-    heading = heading_at(driven);
-  }
-
-  /// What that does to the hitch angle, by small steps of Runge and Kutta.
-  void fold(const Vehicle& vehicle, Real curvature, Real rate, Real signed_step) {
-    const Real gear = signed_step < 0 ? -1 : 1;
-    const Real driven = std::abs(signed_step);
-    const Real hitch = vehicle.hitch, wheelbase = vehicle.trailer->wheelbase;
-    const auto slope = [&](Real t, Real a) {
-      const Real k = curvature + rate * t;
-      return gear * (k - (std::sin(a) + hitch * k * std::cos(a)) / wheelbase);
-    };
-    const Real steepest = std::max(std::abs(curvature), std::abs(curvature + rate * driven));
-    const Real pace = (1 + std::abs(hitch) * steepest) / wheelbase + steepest;
-    const auto steps = 1 + static_cast<long>(std::min<Real>(256 * driven * pace, 1e6L));
-    const Real h = driven / steps;
-    for (long i = 0; i < steps; ++i) {
-      const Real t = h * i;
-      const Real first = slope(t, angle);
-      const Real second = slope(t + h / 2, angle + h / 2 * first);
-      const Real third = slope(t + h / 2, angle + h / 2 * second);
-      angle += h / 6 * (first + 2 * second + 2 * third + slope(t + h, angle + h * third));
-    }
-  }
+  std::vector<Map> maps_;
 };
 
 /// How many steps a segment is driven in.
@@ -380,44 +209,6 @@ std::string drive(const Look& look, const Vehicle& vehicle, const Segment& segme
 }
 
 // ---- Sets of goals ----
-
-Real from_segment(const Vector& p, const Vector& a, const Vector& b) {
-  const Vector along{b.x - a.x, b.y - a.y};
-  const Real square = along.x * along.x + along.y * along.y;
-  Real t = square > 0 ? ((p.x - a.x) * along.x + (p.y - a.y) * along.y) / square : 0;
-  t = std::min(std::max(t, Real{0}), Real{1});
-  return std::hypot(p.x - a.x - t * along.x, p.y - a.y - t * along.y);
-}
-
-/// How far a place is from an area: by the angles under which it sees the sides whether it is in
-/// it.
-Real from_area(const Polygon& area, const Pose& origin, const Vector& p) {
-  Real turns = 0;
-  Real least = std::numeric_limits<Real>::infinity();
-  for (std::size_t i = 0; i < area.size(); ++i) {
-    const Point& from = area[i];
-    const Point& to = area[(i + 1) % area.size()];
-    const Vector a{Real{from.x} - origin.x, Real{from.y} - origin.y};
-    const Vector b{Real{to.x} - origin.x, Real{to.y} - origin.y};
-    least = std::min(least, from_segment(p, a, b));
-    turns +=
-        std::remainder(std::atan2(b.y - p.y, b.x - p.x) - std::atan2(a.y - p.y, a.x - p.x), 2 * pi);
-  }
-  return std::abs(turns) > pi ? 0 : least;
-}
-
-Real beyond(Real value, Real least, Real most) {
-  return std::max({least - value, value - most, Real{0}});
-}
-
-/// How far a heading is beyond all of a range, counter-clockwise from the first to the last.
-Real beyond_headings(Real heading, const HeadingRange& range) {
-  Real width = Real{range.to} - range.from;
-  while (width < 0) width += 2 * pi;
-  Real after = std::fmod(heading - range.from, 2 * pi);
-  if (after < 0) after += 2 * pi;
-  return after <= width ? 0 : std::min(after - width, 2 * pi - after);
-}
 
 bool is_of_region(const Scenario& scenario, const GoalRegion& region, const Drive& at) {
   Vector place = at.place;
@@ -468,6 +259,7 @@ std::string naive_flaw(const Scenario& scenario, const Path& path) {
     std::string flaw = drive(look, scenario.vehicle, segment, at);
     if (!flaw.empty()) return flaw;
   }
+  if (std::string flaw = naive_look_at_zones(scenario, path).flaw; !flaw.empty()) return flaw;
   if (!scenario.goal_set.empty()) return flaw_of_end(scenario, at);
   const Pose& goal = scenario.goal;
   const Real dx = at.place.x - (Real{goal.x} - scenario.start.x);

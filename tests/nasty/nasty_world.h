@@ -24,4 +24,7 @@ namespace vandplan::nasty {
 /// some go to a pose.
 [[nodiscard]] Scenario nasty_world_of_goals(std::uint64_t seed);
 
+/// One of these three with zones of all kinds, and masks, some of which lie on start or goal.
+[[nodiscard]] Scenario nasty_world_of_zones(std::uint64_t seed);
+
 }  // namespace vandplan::nasty

@@ -21,13 +21,14 @@ namespace {
 using vandplan::nasty::Trial;
 
 constexpr const char* usage =
-    "usage: nasty_worlds [--patient | --rigs | --goals] FROM COUNT [JOBS]\n"
+    "usage: nasty_worlds [--patient | --rigs | --goals | --zones] FROM COUNT [JOBS]\n"
     "       nasty_worlds --save SEED FOLDER\n\n"
     "Tries the worlds FROM to FROM + COUNT - 1, JOBS at a time (1), and prints a line for each "
     "broken\n"
     "promise with the number that repeats it; exit status 1 if there is one. --rigs: "
     "with a\n"
-    "trailer; --goals: to sets of goals; --patient: with 25 times the iterations. --save writes a "
+    "trailer; --goals: to sets of goals; --zones: with zones and masks; --patient: with 25 times "
+    "the iterations. --save writes a "
     "world as a scenario file.\n";
 
 /// What all trials brought.
@@ -88,6 +89,9 @@ int main(int argc, char** argv) {
     words.erase(words.begin());
   } else if (!words.empty() && words[0] == "--goals") {
     one = vandplan::nasty::try_world_of_goals;
+    words.erase(words.begin());
+  } else if (!words.empty() && words[0] == "--zones") {
+    one = vandplan::nasty::try_world_of_zones;
     words.erase(words.begin());
   } else if (!words.empty() && words[0] == "--patient") {
     one = vandplan::nasty::try_world_patiently;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "nasty/naive_judge.h"
+#include "nasty/naive_zones.h"
 #include "nasty/nasty_world.h"
 #include "support/draws.h"
 #include "support/temporary_folder.h"
@@ -37,7 +38,14 @@ class Judgement {
       : scenario_(std::move(scenario)),
         patience_(patience),
         rng_(stream_seed(seed, 1)),
-        problem_(made()) {}
+        problem_(made()) {
+    for (std::size_t i = 0; i < scenario_.masks.size(); ++i) {  // for `expect_kept`
+      Mask& mask = scenario_.masks[i];
+      const std::string name = "mask" + std::to_string(i);
+      (void)folder_.put(name + ".pgm", mask_to_pgm(mask));
+      mask.map_file = folder_.put(name + ".yaml", mask_to_yaml(mask, name + ".pgm"));
+    }
+  }
 
   Trial trial() {
     if (!problem_) return {{}, true, 0};
@@ -61,6 +69,13 @@ class Judgement {
     }
   }
 
+  /// What the path costs where a metre costs its length, times the factors of zones and masks [m].
+  [[nodiscard]] double lengthened(const Path& path) const {
+    const bool is_priced = !scenario_.zones.empty() || !scenario_.masks.empty();
+    const ZoneLook look = naive_look_at_zones(scenario_, path);
+    return is_priced ? look.priced_length + 3 * look.unsure : length(path);
+  }
+
   void fault(const std::string& what) { trial_.faults.push_back(what); }
 
   [[nodiscard]] bool is_rig() const { return scenario_.vehicle.trailer.has_value(); }
@@ -75,6 +90,7 @@ class Judgement {
     const auto count = static_cast<double>(planners().size() - 1);
     for (;;) {
       const Planner& planner = planners()[1 + static_cast<std::size_t>(uniform(0, count, rng_))];
+      if (!scenario_.zones.empty() && !planner.can(Capability::gears)) continue;
       if (!is_rig() || planner.can(Capability::trailers)) return planner;
     }
   }
@@ -144,12 +160,14 @@ class Judgement {
     if (!result.path) return;
     ++trial_.paths;
     if (!known_) known_ = *result.path;
-    if (length(*result.path) < least_) {
-      least_ = length(*result.path);
+    const double least = lengthened(*result.path);
+    if (least < least_) {
+      least_ = least;
       leeway_ = leeway_of(*result.path);
     }
     const std::string flaw = naive_flaw(scenario_, *result.path);
     if (!flaw.empty()) fault(planner.name + ", says the naive judge: " + flaw);
+    expect_priced(planner, result);
     for (const Segment& segment : result.path->segments) {
       const bool is_wrong = gears == AllowedGears::forward   ? segment.length < 0.0
                             : gears == AllowedGears::reverse ? segment.length > 0.0
@@ -159,15 +177,28 @@ class Judgement {
     if (length(*result.path) < longest_written) expect_kept(planner, options, result);
   }
 
+  /// If a path costs its length, zones and masks make it as much dearer as naive sums say.
+  void expect_priced(const Planner& planner, const PlanResult& result) {
+    if (!is_length(result.rule) || result.rule.measure == CostMeasure::time) return;
+    const ZoneLook look = naive_look_at_zones(scenario_, *result.path);
+    if (scenario_.zones.empty() && scenario_.masks.empty()) return;
+    const double off = std::abs(result.cost - look.priced_length);
+    if (off > 3 * look.unsure + 1e-3 * (1 + look.priced_length)) {
+      fault(planner.name + ": a cost of " + std::to_string(result.cost) +
+            " m, and a naive sum of " + std::to_string(look.priced_length));
+    }
+  }
+
   /// Speeds along a path are those of its vehicle; and it is smoothed, and planned along.
   void try_to_drive(const Path& path) {
     Scenario driven = scenario_;
     driven.vehicle.limits.max_acceleration = any_size(0.01, 10, rng_);
     if (chance(0.5, rng_)) driven.vehicle.limits.max_jerk = any_size(0.01, 50, rng_);
-    const TimedPath drive{
-        path, speed_profile(path, driven.vehicle, {.start_curvature = driven.curvatures.start})};
+    const TimedPath drive{path, speed_profile(path, driven.vehicle, speed_options(driven, path))};
     const DriveCheck check = check_drive(make_problem(driven), drive);
     if (!check.valid) fault("speeds: " + check.reason);
+    const double least = naive_look_at_zones(driven, path).least_duration;
+    if (drive.speeds.duration < 0.99 * least - 0.1) fault("speeds too high for zones");
     for (const SmoothMethod method : {SmoothMethod::clothoids, SmoothMethod::optimised}) {
       try_planner(smoother(path, method), false);
     }
@@ -267,6 +298,8 @@ Trial try_world_patiently(std::uint64_t seed) {
 Trial try_world_of_a_rig(std::uint64_t seed) { return tried(nasty_world_of_a_rig(seed), seed); }
 
 Trial try_world_of_goals(std::uint64_t seed) { return tried(nasty_world_of_goals(seed), seed); }
+
+Trial try_world_of_zones(std::uint64_t seed) { return tried(nasty_world_of_zones(seed), seed); }
 
 std::string save_world(std::uint64_t seed, const std::string& folder) {
   Scenario scenario = nasty_world(seed);

@@ -30,6 +30,9 @@ struct Trial {
 /// The same as `try_world` where the goal is a set of poses.
 [[nodiscard]] Trial try_world_of_goals(std::uint64_t seed);
 
+/// The same as `try_world` with zones and masks, whose prices are held against naive sums.
+[[nodiscard]] Trial try_world_of_zones(std::uint64_t seed);
+
 /// The scenario of that world as a file (its map, if it has one, as MAP.yaml and MAP.pgm beside
 /// it), for `vandplan plan`. Returns the file's name.
 std::string save_world(std::uint64_t seed, const std::string& folder);

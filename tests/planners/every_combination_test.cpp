@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 // What the default planner knows it knows together: every vehicle with every steering, cost,
-// margin, gap and least stroke, alone and among others.
+// margin, gap and least stroke, alone and among others, on open ground and in zones.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <memory>
 #include <numbers>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "support/cases.h"
+#include "support/grids.h"
 #include "support/problems.h"
 #include "vandplan/judge.h"
 #include "vandplan/planner.h"
@@ -29,15 +32,15 @@ struct Wish {
   Who who;
   Steering steering;
   Cost cost;
-  bool has_movers;
+  bool has_movers, has_zones;
   double margin, gap, min_stroke;
 };
 
-using Combination = std::tuple<Who, Steering, Cost, bool, double, double, double>;
+using Combination = std::tuple<Who, Steering, Cost, bool, bool, double, double, double>;
 
 Wish wish_of(const Combination& combination) {
-  const auto& [who, steering, cost, has_movers, margin, gap, min_stroke] = combination;
-  return {who, steering, cost, has_movers, margin, gap, min_stroke};
+  const auto& [who, steering, cost, has_movers, has_zones, margin, gap, min_stroke] = combination;
+  return {who, steering, cost, has_movers, has_zones, margin, gap, min_stroke};
 }
 
 std::string name_of_wish(const testing::TestParamInfo<Combination>& info) {
@@ -48,10 +51,25 @@ std::string name_of_wish(const testing::TestParamInfo<Combination>& info) {
   name += steerings[static_cast<int>(wish.steering)];
   name += costs[static_cast<int>(wish.cost)];
   if (wish.has_movers) name += "Movers";
+  if (wish.has_zones) name += "Zones";
   if (wish.margin > 0) name += "Margin";
   if (wish.gap > 0) name += "Gap";
   if (wish.min_stroke > 0) name += "Strokes";
   return name;
+}
+
+/// A zone of each kind around the dock, and masks: most of them lie in the way.
+void add_zones(Scenario& scenario) {
+  scenario.zones = {{.area = box(-2.4, 1, 2.4, 12), .gears = AllowedGears::reverse},
+                    {.area = box(-40, 1, -6, 20), .direction = HeadingRange{-pi / 2, pi / 2}},
+                    {.area = box(25, 38, 35, 44), .closed = true, .body = true},
+                    {.area = box(-15, 25, -5, 35), .cost = 3},
+                    {.area = box(-3, 14, 3, 16), .cost = 2, .body = true},
+                    {.area = box(-12, 20, 12, 45), .max_speed = 0.8}};
+  const OccupancyGrid map = grid_of({"#..#", "...."}, 4.0, {-8, 24, 0});
+  scenario.masks = {cost_mask(map, 2), speed_mask(map, 2), {"", map}};
+  scenario.masks[1].percents = std::make_shared<const std::vector<std::uint8_t>>(8, 40);
+  scenario.masks[2].map.origin = {-38, 38, 0.5};
 }
 
 /// A dock to back up to; before it a car crosses the yard, through where a rig comes in its way.
@@ -63,6 +81,7 @@ Problem problem_for(const Wish& wish) {
                         .trajectory = {{0, {12, 28, -pi / 2}}, {14, {-6, 26, pi}}},
                         .after = Afterwards::leaves}};
   }
+  if (wish.has_zones) add_zones(scenario);
   return make_problem(scenario);
 }
 
@@ -109,12 +128,12 @@ TEST_P(EveryCombination, IsPlannedAndHasWhatWasAskedFor) {
   EXPECT_TRUE(check.valid) << check.reason;
   EXPECT_GE(*check.clearance, wish.margin - 1e-6);
   EXPECT_NEAR(result.anytime.back().cost, result.cost, 1e-3 * result.cost);
-  if (wish.cost == Cost::length) {
+  if (wish.cost == Cost::length && !wish.has_zones) {
     EXPECT_NEAR(result.cost, length(result.path->segments), 1e-9);
   }
   if (wish.cost == Cost::time) {
-    const SpeedOptions wheels{.start_curvature = 0};
-    const double fastest = speed_profile(*result.path, problem.vehicle(), wheels).duration;
+    const SpeedOptions limits = speed_options(problem, *result.path);
+    const double fastest = speed_profile(*result.path, problem.vehicle(), limits).duration;
     EXPECT_NEAR(result.cost, fastest, 1e-6);
   }
   // Nobody is hit.
@@ -139,8 +158,20 @@ INSTANTIATE_TEST_SUITE_P(OfTheDefaultPlanner, EveryCombination,
                                                           Steering::continuous_between_stops,
                                                           Steering::continuous),
                                           testing::Values(Cost::length, Cost::driver, Cost::time),
-                                          testing::Bool(), testing::Values(0.0, 0.3),
-                                          testing::Values(0.0, 1.0), testing::Values(0.0, 4.0)),
+                                          testing::Bool(), testing::Values(false),
+                                          testing::Values(0.0, 0.3), testing::Values(0.0, 1.0),
+                                          testing::Values(0.0, 4.0)),
+                         name_of_wish);
+
+INSTANTIATE_TEST_SUITE_P(OfTheDefaultPlannerInZones, EveryCombination,
+                         testing::Combine(testing::Values(Who::truck, Who::rig),
+                                          testing::Values(Steering::reeds_shepp,
+                                                          Steering::continuous_between_stops,
+                                                          Steering::continuous),
+                                          testing::Values(Cost::length, Cost::driver, Cost::time),
+                                          testing::Bool(), testing::Values(true),
+                                          testing::Values(0.0, 0.3), testing::Values(0.0),
+                                          testing::Values(0.0)),
                          name_of_wish);
 
 }  // namespace

@@ -50,12 +50,33 @@ def test_zones_and_masks_are_values(tmp_path):
     scenario.save(tmp_path / "yard.yaml")
     for same in (pickle.loads(pickle.dumps(scenario)), vp.read_scenario(tmp_path / "yard.yaml")):
         assert same.zones == [lawn, street]
-        assert np.array_equal(same.masks[0].cells, keepout.cells)
+        assert np.array_equal(same.masks[0].map.cells, keepout.cells)
     verdict = vp.check(scenario, vp.Path((0, 0, 0), [(0, 40)]))
     assert verdict.reason == "the rear axle is in zones[0] (lawn), which is closed"
     assert verdict.hit == {"what": "zones", "index": 0}
     with pytest.raises(vp.InputError, match="gears"):
         vp.Zone(area, gears="fast")
+
+
+def test_masks_limit_speeds_and_make_metres_dearer(tmp_path):
+    percents = np.array([[0, 50], [-1, 20]], np.int8)
+    map = vp.OccupancyGrid(np.zeros((2, 2), bool), 20.0, (0, -20, 0))
+    wear = vp.Mask(map, cost=4, percents=percents)
+    slow = vp.Mask(map, max_speed=2, percents=percents)
+    assert (wear.cost, wear.max_speed, slow.cost, slow.max_speed) == (4, None, None, 2)
+    scenario = vp.Scenario((0, 0, 0), (60, 0, 0), bounds=(-30, 80, -40, 40), masks=[wear, slow])
+    scenario.save(tmp_path / "yard.yaml")
+    for same in (pickle.loads(pickle.dumps(scenario)), vp.read_scenario(tmp_path / "yard.yaml")):
+        assert [mask.cost for mask in same.masks] == [4, None]
+        assert np.array_equal(same.masks[1].percents, percents)
+    straight = vp.Path((0, 1, 0), [(0, 60)])
+    shifted = scenario.with_poses(start=(0, 1, 0), goal=(60, 1, 0))
+    assert vp.speed_profile(shifted, straight).duration > 20 / 1.6
+    assert vp.plan(shifted, max_iterations=300).cost > 61
+    with pytest.raises(vp.InputError, match="cost"):
+        vp.Mask(map, cost=3, max_speed=1)
+    with pytest.raises(vp.InputError, match="percents"):
+        vp.Mask(map, cost=3, percents=[[1]])
 
 
 def test_a_vehicle_is_a_value_with_the_names_of_files():

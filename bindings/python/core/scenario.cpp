@@ -152,26 +152,6 @@ CheckedScenario among(const CheckedScenario& self, const std::vector<MovingObsta
   return self.with_moving(moving);
 }
 
-/// State for pickle: the text of the scenario's file without masks, its map and its masks.
-py::tuple state_of_scenario(const CheckedScenario& self) {
-  ScenarioFile file = self.file();
-  std::vector<py::tuple> masks;
-  for (const Mask& mask : file.scenario.masks) masks.push_back(state_of_mask(mask));
-  file.scenario.masks.clear();
-  return py::make_tuple(to_yaml(file), self.scenario().map, masks);
-}
-
-CheckedScenario scenario_from_state(const py::tuple& state) {
-  ScenarioFile file = scenario_from_yaml(state[0].cast<std::string>(), "pickle",
-                                         state[1].cast<std::optional<OccupancyGrid>>());
-  if (state.size() > 2) {
-    for (const auto& mask : state[2].cast<std::vector<py::tuple>>()) {
-      file.scenario.masks.push_back(mask_from_state(mask));
-    }
-  }
-  return CheckedScenario(std::move(file.scenario), std::move(file.options));
-}
-
 std::string scenario_text(const CheckedScenario& self) {
   const Scenario& s = self.scenario();
   const std::string goal =

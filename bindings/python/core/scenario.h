@@ -57,6 +57,10 @@ class CheckedScenario {
   mutable std::shared_ptr<const Problem> problem_;
 };
 
+/// State of a scenario for pickle, and the scenario of a state.
+[[nodiscard]] pybind11::tuple state_of_scenario(const CheckedScenario& self);
+[[nodiscard]] CheckedScenario scenario_from_state(const pybind11::tuple& state);
+
 /// State of a mask for pickle, and the mask of a state.
 [[nodiscard]] pybind11::tuple state_of_mask(const Mask& self);
 [[nodiscard]] Mask mask_from_state(const pybind11::tuple& state);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "bindings/web/core/zones.h"
 #include "vandplan/input_error.h"
 #include "vandplan/plan_options.h"
 #include "vandplan/vehicle.h"
@@ -14,22 +15,8 @@
 namespace vandplan::web {
 namespace {
 
-std::string key_of(const std::string& where, const std::string& key) {
-  return where.empty() ? key : where + "." + key;
-}
-
 bool is_object(const val& given) {
   return given.typeOf().as<std::string>() == "object" && !given.isNull();
-}
-
-std::size_t size_of(const val& list, const std::string& where) {
-  if (!list.isArray()) throw InputError(where, "expected a list");
-  return list["length"].as<std::size_t>();
-}
-
-Point point_from(const val& given, const std::string& where) {
-  if (size_of(given, where) != 2) throw InputError(where, "expected [x, y]");
-  return {number_from(given[0], where), number_from(given[1], where)};
 }
 
 std::vector<Polygon> polygons_at(const val& object, const char* key) {
@@ -41,40 +28,6 @@ std::vector<Polygon> polygons_at(const val& object, const char* key) {
     polygons[i] = polygon_from(list[i], std::string(key) + "[" + std::to_string(i) + "]");
   }
   return polygons;
-}
-
-/// A whole number from 1 to `most`.
-std::int32_t count_at(const val& object, const char* key, const std::string& where, double most) {
-  const double count = number_at(object, key, where);
-  if (!(count >= 1 && count <= most && count == std::floor(count))) {
-    throw InputError(where + "." + key, "expected a whole number from 1");
-  }
-  return static_cast<std::int32_t>(count);
-}
-
-OccupancyGrid map_from(const val& given) {
-  allow_only(given, {"origin", "resolution", "columns", "rows", "cells", "unknown"}, "map");
-  OccupancyGrid map{
-      .origin = pose_from(given["origin"], "map.origin"),
-      .resolution = number_at(given, "resolution", "map"),
-      .columns = count_at(given, "columns", "map", 1e6),
-      .rows = count_at(given, "rows", "map", 1e6),
-      .unknown_is_free = has(given, "unknown") && given["unknown"].as<std::string>() == "free"};
-  const std::int64_t size = std::int64_t{map.columns} * map.rows;
-  // Fits into 32 bits of memory, together with its world.
-  constexpr std::int64_t most = 100'000'000;
-  if (size > most) throw InputError("map.cells", "are more than 100 million");
-  const auto numbers = emscripten::convertJSArrayToNumberVector<std::uint8_t>(given["cells"]);
-  if (static_cast<std::int64_t>(numbers.size()) != size) {
-    throw InputError("map.cells", "expected columns * rows of them");
-  }
-  std::vector<Cell> cells(numbers.size());
-  std::ranges::transform(numbers, cells.begin(), [](std::uint8_t number) {
-    return number == 0 ? Cell::free : number == 1 ? Cell::occupied : Cell::unknown;
-  });
-  map.cells = std::move(cells);
-  check_map(map);
-  return map;
 }
 
 template <typename Number>
@@ -195,68 +148,21 @@ std::vector<MovingObstacle> moving_at(const val& object) {
   return moving;
 }
 
-Zone zone_from(const val& given, const std::string& where) {
-  allow_only(given, {"name", "area", "closed", "gears", "direction", "cost", "max_speed", "body"},
-             where);
-  const auto flag = [&](const char* key) {
-    if (!has(given, key)) return false;
-    if (!given[key].isTrue() && !given[key].isFalse()) {
-      throw InputError(key_of(where, key), "expected true or false");
-    }
-    return given[key].isTrue();
-  };
-  Zone zone{.area = polygon_from(given["area"], key_of(where, "area")),
-            .closed = flag("closed"),
-            .cost = number_at(given, "cost", where, 1.0),
-            .body = flag("body")};
-  if (has(given, "name")) zone.name = given["name"].as<std::string>();
-  if (has(given, "max_speed")) zone.max_speed = number_at(given, "max_speed", where);
-  if (has(given, "gears")) zone.gears = gears_named(given["gears"].as<std::string>());
-  if (has(given, "direction")) {
-    const Point ends = point_from(given["direction"], key_of(where, "direction"));
-    zone.direction = HeadingRange{ends.x, ends.y};
-  }
-  return zone;
-}
-
-std::vector<Zone> zones_at(const val& object) {
-  std::vector<Zone> zones;
-  if (!has(object, "zones")) return zones;
-  const val list = object["zones"];
-  const std::size_t count = size_of(list, "zones");
-  for (std::size_t i = 0; i < count; ++i) {
-    zones.push_back(zone_from(list[i], "zones[" + std::to_string(i) + "]"));
-  }
-  return zones;
-}
-
-std::vector<Mask> masks_at(const val& object) {
-  std::vector<Mask> masks;
-  if (!has(object, "masks")) return masks;
-  const val list = object["masks"];
-  const std::size_t count = size_of(list, "masks");
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::string where = "masks[" + std::to_string(i) + "]";
-    allow_only(list[i], {"map", "as", "of", "percents"}, where);
-    const auto use = list[i]["as"].as<std::string>();
-    OccupancyGrid map = map_from(list[i]["map"]);
-    if (use == name_of(MaskUse::obstacles)) {
-      masks.push_back({"", std::move(map)});
-    } else if (use == name_of(MaskUse::max_speed)) {
-      masks.push_back(speed_mask(std::move(map), number_at(list[i], "of", where)));
-    } else if (use == name_of(MaskUse::cost)) {
-      masks.push_back(cost_mask(std::move(map), number_at(list[i], "of", where)));
-    } else {
-      throw InputError(key_of(where, "as"), "expected obstacles, max_speed or cost");
-    }
-    if (!has(list[i], "percents")) continue;
-    masks.back().percents = std::make_shared<const std::vector<std::uint8_t>>(
-        emscripten::convertJSArrayToNumberVector<std::uint8_t>(list[i]["percents"]));
-  }
-  return masks;
-}
-
 }  // namespace
+
+std::string key_of(const std::string& where, const std::string& key) {
+  return where.empty() ? key : where + "." + key;
+}
+
+std::size_t size_of(const val& list, const std::string& where) {
+  if (!list.isArray()) throw InputError(where, "expected a list");
+  return list["length"].as<std::size_t>();
+}
+
+Point point_from(const val& given, const std::string& where) {
+  if (size_of(given, where) != 2) throw InputError(where, "expected [x, y]");
+  return {number_from(given[0], where), number_from(given[1], where)};
+}
 
 Polygon polygon_from(const val& corners, const std::string& where) {
   Polygon polygon(size_of(corners, where));

@@ -38,6 +38,15 @@ void allow_only(const val& object, std::initializer_list<std::string_view> keys,
 /// Whether the value at a key is neither undefined nor null.
 [[nodiscard]] bool has(const val& object, const char* key);
 
+/// Name of a key of an object, for errors: "zones[1].cost".
+[[nodiscard]] std::string key_of(const std::string& where, const std::string& key);
+
+/// Length of a list. Throws InputError for anything else.
+[[nodiscard]] std::size_t size_of(const val& list, const std::string& where);
+
+/// Point from [x, y].
+[[nodiscard]] Point point_from(const val& given, const std::string& where);
+
 /// Start or goal of a path, with its curvature and hitch angle.
 struct End {
   Pose pose = {};

@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-// Rules of zones, and masks, in the eyes of planners and of the judge.
+// Rules of zones in the eyes of planners and of the judge.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <memory>
 #include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "planners/pricing.h"
 #include "problem/masks.h"
+#include "search/barrier.h"
 #include "support/cases.h"
+#include "support/draws.h"
 #include "support/grids.h"
 #include "support/place_of_error.h"
 #include "support/problems.h"
+#include "support/zoned.h"
 #include "vandplan/judge.h"
 #include "vandplan/motion.h"
 #include "vandplan/planner.h"
@@ -25,20 +30,6 @@ namespace vandplan {
 namespace {
 
 using std::numbers::pi;
-
-Scenario with_zones(const Pose& start, const Pose& goal, std::vector<Zone> zones) {
-  return {.name = "zones",
-          .bounds = {-40, 80, -40, 40},
-          .start = start,
-          .goal = goal,
-          .zones = std::move(zones)};
-}
-
-PlanOptions of_iterations(std::int64_t iterations) {
-  PlanOptions options;
-  options.budget.max_iterations = is_sanitized ? iterations / 20 : iterations;
-  return options;
-}
 
 /// Whether a point of the path is in the area, more than a millimetre from its edge, in that gear.
 bool drives_through(const Path& path, const Bounds& area, Gear gear) {
@@ -170,6 +161,10 @@ TEST(Zones, AreChecked) {
             "zones[1].direction");
   EXPECT_EQ(fault({.area = box(0, 0, 1, 1), .direction = HeadingRange{0, std::nan("")}}),
             "zones[1].direction");
+  // Rounding decides whether it is one direction or all.
+  EXPECT_EQ(fault({.area = box(0, 0, 1, 1), .direction = HeadingRange{-1.4, -1.4 - 2 * pi}}),
+            "zones[1].direction");
+  EXPECT_EQ(fault({.area = box(0, 0, 1, 1), .direction = HeadingRange{2 * pi, 1.0}}), "nothing");
 }
 
 TEST(Zones, AreRefusedByPlannersThatDoNotKnowTheGear) {
@@ -194,12 +189,6 @@ TEST(Zones, OfAllKindsAreHonouredByEveryPlanner) {
     EXPECT_NE(result.status, PlanStatus::rejected) << planner.name << ": " << result.reason;
     EXPECT_NE(result.status, PlanStatus::no_path) << planner.name;
   }
-}
-
-/// Cost of a path by the options, as planners compute it.
-double cost_of(const Problem& problem, const Path& path, const CostOptions& cost = {}) {
-  return planning::Pricing(problem.task(), cost)
-      .cost(path.segments, search::ClearanceSampling::answer);
 }
 
 TEST(PricesOfZones, AreIntegrals) {
@@ -263,7 +252,7 @@ TEST(PricesOfZones, LeadAround) {
   const PlanResult result = plan(problem, of_iterations(4000));
   if (is_sanitized && !result.path) return;
   ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
-  EXPECT_LT(result.cost, 60);
+  EXPECT_LT(result.cost, is_sanitized ? 100 : 60);  // in so few iterations
   ASSERT_TRUE(result.lower_bound);
   EXPECT_LE(*result.lower_bound, result.cost);
 }
@@ -297,40 +286,69 @@ TEST(SpeedsOfZones, CountInTheCostThatIsTheTime) {
   EXPECT_LT(result.cost, 60);  // straight on it takes 100 s and more
 }
 
-TEST(Masks, AreCoveredByRectangles) {
-  for_each_case(5, 200, [](Rng& rng) {
-    OccupancyGrid map = random_grid(9, 7, uniform(0.1, 0.9, rng), rng);
-    map.origin = {0, 0, 0};
-    map.resolution = 1;
-    const std::vector<Polygon> rectangles = problem::rectangles_over(map);
-    for (std::int32_t row = 0; row < map.rows; ++row) {
-      for (std::int32_t column = 0; column < map.columns; ++column) {
-        const auto at = static_cast<std::size_t>(row * map.columns + column);
-        int count = 0;
-        for (const Polygon& rectangle : rectangles) {
-          count += contains(rectangle, Point{column + 0.5, row + 0.5}) ? 1 : 0;
-        }
-        EXPECT_EQ(count, (*map.cells)[at] == Cell::occupied ? 1 : 0) << column << " " << row;
-      }
-    }
-  });
+// ---- Proofs ----
+
+/// A wall with a gate from y = -9 to y = 9 at x = 16 to 24.
+Scenario with_gate(std::vector<Zone> zones) {
+  Scenario scenario = with_zones({0, 0, 0}, {40, 0, 0}, std::move(zones));
+  scenario.obstacles = {box(16, 9, 24, 40), box(16, -40, 24, -9)};
+  return scenario;
 }
 
-TEST(Masks, AreObstacles) {
-  Scenario scenario = with_zones({0, 0, 0}, {40, 0, 0}, {});
-  OccupancyGrid map = grid_of({"?.#", "..#", "..."}, 2.0, {16, -3, 0});
-  scenario.masks = {{"keepout.yaml", map}};
-  scenario.obstacles = {box(-30, -30, -20, -20)};
+PlanStatus status_of(const Scenario& scenario, AllowedGears gears = AllowedGears::both) {
+  PlanOptions options;
+  options.budget.time_limit = is_sanitized ? 20 : 2;
+  options.cost.gears = gears;
+  return plan(make_problem(scenario), options).status;
+}
+
+TEST(ProofsOfZones, NoPathLeadsThroughAClosedGate) {
+  const Zone closed{.area = box(19, -9, 21, 9), .closed = true};
+  EXPECT_EQ(status_of(with_gate({closed})), PlanStatus::no_path);
+  Zone body = closed;
+  body.body = true;
+  EXPECT_EQ(status_of(with_gate({body})), PlanStatus::no_path);
+  const Zone open{.area = box(19, -9, 21, 5), .closed = true};
+  EXPECT_NE(status_of(with_gate({open})), PlanStatus::no_path);
+}
+
+TEST(ProofsOfZones, NoPathLeadsAgainstAOneWayStreet) {
+  const Zone street{.area = box(18, -9, 22, 9), .direction = HeadingRange{pi - 1, pi + 1}};
+  const PlanResult against = plan(make_problem(with_gate({street})), {.budget = {.time_limit = 5}});
+  EXPECT_EQ(against.status, PlanStatus::no_path);
+  EXPECT_EQ(against.reason,
+            "proven: nothing that keeps to the zones gets from the start to the goal");
+  Scenario along = with_gate({street});
+  std::swap(along.start, along.goal);
+  EXPECT_NE(status_of(along), PlanStatus::no_path);
+  // In reverse it is no better; a street that may be driven both ways is.
+  const Zone both{.area = street.area, .direction = HeadingRange{0, 2 * pi}};
+  EXPECT_NE(status_of(with_gate({both})), PlanStatus::no_path);
+}
+
+TEST(ProofsOfZones, NoPathLeadsThroughAGateOfTheOtherGear) {
+  const Zone gate{.area = box(18, -9, 22, 9), .gears = AllowedGears::reverse};
+  EXPECT_EQ(status_of(with_gate({gate}), AllowedGears::forward), PlanStatus::no_path);
+  EXPECT_NE(status_of(with_gate({gate})), PlanStatus::no_path);
+}
+
+// The judge lets a path end a micrometre off its goal: here on the start's side of a lattice line.
+TEST(ProofsOfZones, SpareEndsOnEitherSideOfALine) {
+  const double ahead = pi / 2 + 2e-5;
+  Scenario scenario{
+      .bounds = {-5, 5, -5, 15}, .start = {-1e-7, 0, ahead}, .goal = {4e-7, 0.02, ahead}};
+  scenario.zones = {{.area = box(-20, -20, 20, 20), .direction = HeadingRange{ahead, 3.1}}};
   const Problem problem = make_problem(scenario);
-  EXPECT_EQ(problem.world()->fences(), 1U);
-  const PathCheck check = check_path(problem, {{0, 0, 0}, {{0, 40}}});
-  EXPECT_EQ(check.reason, "the footprint hits masks[0]");
-  EXPECT_EQ(check.hit, (Hit{HitKind::mask, 0}));
-  const PlanResult result = plan(problem, of_iterations(2000));
-  if (is_sanitized && !result.path) return;
-  EXPECT_EQ(result.status, PlanStatus::solved) << result.reason;
-  scenario.start = {-25, -25, 0};
-  EXPECT_EQ(plan(make_problem(scenario), of_iterations(10)).hit, (Hit{HitKind::obstacle, 0}));
+  search::Barrier barrier(problem.task(), 0);
+  while (barrier.step()) {
+  }
+  EXPECT_FALSE(barrier.is_proven());
+}
+
+TEST(ProofsOfZones, HoldForRigs) {
+  Scenario scenario = with_gate({{.area = box(19, -9, 21, 9), .closed = true}});
+  scenario.vehicle = semitrailer();
+  EXPECT_EQ(status_of(scenario), PlanStatus::no_path);
 }
 
 }  // namespace
