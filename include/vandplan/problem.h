@@ -34,11 +34,20 @@ class KnownGround;
 }
 
 /// Curvatures to which the wheels are turned at the ends of a path. Only `Steering::continuous`
-/// holds paths to them: otherwise the wheels may turn at standstill. Drives begin with `start`.
+/// holds paths to them, and `Task::beyond`: otherwise the wheels may turn at standstill. Drives
+/// begin with `start`.
 struct EndCurvatures {
   double start = 0.0;  ///< curvature at the start [1/m]
   double goal = 0.0;   ///< curvature at the goal [1/m]
   bool operator==(const EndCurvatures&) const = default;
+};
+
+/// Gears in which a longer drive goes on beyond the ends of the part of it that a task asks for: 1
+/// forward, -1 reverse. 0: nothing is driven there.
+struct EndGears {
+  int start = 0;  ///< gear before the start
+  int goal = 0;   ///< gear after the goal
+  bool operator==(const EndGears&) const = default;
 };
 
 /// Hitch angles at the ends of a path: heading of the vehicle less that of its trailer. 0 without
@@ -152,6 +161,9 @@ struct Task {
   Steering steering = Steering::reeds_shepp;
   EndCurvatures curvatures = {};
   EndHitchAngles hitch_angles = {};
+  /// Gears beyond the ends, if the task asks for a part of a longer drive. Where a gear goes on, the
+  /// wheels are held to `curvatures` unless they turn at once, and a gear change has its price.
+  EndGears beyond = {};
   std::vector<GoalRegion> goal_set = {};    ///< regions where the path may end; empty: at `goal`
   std::vector<MovingObstacle> moving = {};  ///< moving obstacles, which `checker` does not know
 };

@@ -95,6 +95,7 @@ struct CostRule {
   double reverse_weight = 1.0;    ///< cost of a metre in reverse [m]; >= 1
   double gear_change_cost = 0.0;  ///< cost of one gear change [m]; >= 0
   GearSign initial_gear = 0;      ///< gear before the first metre; 0: any, the first gear is free
+  GearSign final_gear = 0;        ///< gear after the last metre; 0: any, the last gear is free
   /// Cost of the total variation of curvature [m per 1/m]; >= 0.
   double curvature_change_cost = 0.0;
   /// Surcharge near obstacles; >= 0. A metre costs 1 + clearance_weight * max(0,

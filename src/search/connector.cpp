@@ -45,8 +45,12 @@ double rate_of(const Vehicle& vehicle) {
 std::optional<ContinuousSteering> continuous_steering(const Task& task) {
   if (task.steering == Steering::reeds_shepp) return std::nullopt;
   const double radius = continuous_radius(task.vehicle);
-  const double given = std::max(std::abs(task.curvatures.start), std::abs(task.curvatures.goal));
-  if (task.steering == Steering::continuous && given * radius > 1 + 1e-12) {
+  const auto held = [&](double curvature, GearSign beyond) {
+    return holds_wheels(task, beyond) ? std::abs(curvature) : 0.0;
+  };
+  const double given = std::max(held(task.curvatures.start, task.beyond.start),
+                                held(task.curvatures.goal, task.beyond.goal));
+  if (given * radius > 1 + 1e-12) {
     throw InputError("curvature", "of start or goal is " + std::to_string(given) +
                                       " 1/m, expected at most " + std::to_string(1 / radius) +
                                       " with wheels that turn so slowly");
@@ -139,13 +143,17 @@ void Connector::find_ends(const LocalPose& pose, const Driven& beside,
                           std::vector<End>& ends) const {
   ends.clear();
   const bool between_stops = continuous_->continuity() == Continuity::between_stops;
+  const bool is_start = pose == task_.start;
+  const bool is_end = is_start || pose == task_.goal;
+  const GearSign beyond = is_start ? task_.beyond.start : task_.beyond.goal;
   const bool is_outermost = beside.gear == 0 || !beside.is_known();
-  if (is_outermost && (pose == task_.start || pose == task_.goal)) {
-    const EndCurvatures& given = task_.curvatures;
-    ends.push_back({between_stops, pose == task_.start ? given.start : given.goal, 0});
+  const bool may_change = beside.gear != 0 && rule_.allows(-beside.gear);
+  if (is_end && (is_outermost || beyond != 0)) {
+    const double given = is_start ? task_.curvatures.start : task_.curvatures.goal;
+    if (between_stops && beyond != 0 && may_change) ends.push_back({true, given, -beside.gear});
+    ends.push_back({between_stops && beyond == 0, given, 0});
     return;
   }
-  const bool may_change = beside.gear != 0 && rule_.allows(-beside.gear);
   if (between_stops && may_change) ends.push_back({true, 0.0, -beside.gear});
   const bool is_straight =
       !beside.is_known() || std::abs(beside.curvature) * radius_ < straight_wheels;

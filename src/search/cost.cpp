@@ -227,6 +227,7 @@ CostRule reversed(const CostRule& rule, GearSign before) {
   std::swap(result.forward_weight, result.reverse_weight);
   result.initial_gear = before;
   result.in_time = rule.in_time == InTime::onward ? InTime::backward : InTime::onward;
+  result.final_gear = 0;
   return result;
 }
 
@@ -278,7 +279,8 @@ double drive_cost(const CostRule& rule, std::span<const Segment> segments, Drive
 
 double drive_cost(const CostRule& rule, std::span<const Segment> segments) {
   Driven driven = rule.initial_gear;
-  return drive_cost(rule, segments, driven);
+  const double sum = drive_cost(rule, segments, driven);
+  return sum + change_cost(rule, driven, rule.final_gear);
 }
 
 namespace {

@@ -53,7 +53,7 @@ double cost_of(const CostRule& rule, const Route& route) {
   for (const Leg& leg : route.legs) {
     sum += drive_cost(rule, leg.piece.view(), driven) + leg.clearance_cost;
   }
-  return sum;
+  return sum + change_cost(rule, driven, rule.final_gear);
 }
 
 void price(const Connector& connector, Route& route) {

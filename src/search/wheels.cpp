@@ -34,9 +34,18 @@ bool can_drive(const Connector& connector, const Segment& segment) {
   return std::abs(segment.curvature_rate) <= fastest * (1 + curvature_rounding);
 }
 
+bool holds_wheels(const Task& task, GearSign beyond) {
+  if (task.steering == Steering::reeds_shepp) return false;
+  return task.steering == Steering::continuous || beyond != 0;
+}
+
 DrivenBeside driven_at_ends(const Task& task, GearSign initial) {
-  if (task.steering != Steering::continuous) return {initial, 0};
-  return {{initial, task.curvatures.start}, {0, task.curvatures.goal}};
+  const auto curvature = [&](double given, GearSign beyond) {
+    return holds_wheels(task, beyond) ? given : Driven::any;
+  };
+  const GearSign before = initial != 0 ? initial : task.beyond.start;
+  return {{before, curvature(task.curvatures.start, task.beyond.start)},
+          {0, curvature(task.curvatures.goal, task.beyond.goal)}};
 }
 
 DrivenBeside fitted_driven(const Task& task, const DrivenBeside& beside) {

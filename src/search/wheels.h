@@ -21,6 +21,10 @@ namespace vandplan::search {
 /// fast as the segment needs.
 [[nodiscard]] bool can_drive(const Connector& connector, const Segment& segment);
 
+/// Whether the wheels are held to the task's curvature at an end, beyond which gear `beyond` goes
+/// on.
+[[nodiscard]] bool holds_wheels(const Task& task, GearSign beyond);
+
 /// Gears and curvatures before the start and after the goal, as far as the task says. `initial`:
 /// gear before the start.
 [[nodiscard]] DrivenBeside driven_at_ends(const Task& task, GearSign initial = 0);

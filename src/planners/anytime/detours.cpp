@@ -88,6 +88,7 @@ void Detours::begin() {
   if (!before_.legs.empty()) beside_.before = last_driven(before_.legs.back().piece);
   if (!after_.legs.empty()) beside_.after = first_driven(after_.legs.front().piece);
   rule.initial_gear = beside_.before.gear;
+  if (!after_.legs.empty()) rule.final_gear = 0;
   price(Connector(task_, rule), old_);
   const LocalPose& first = old_.start;
   const LocalPose& last = old_.legs.back().end;

@@ -56,7 +56,7 @@ CostRule gears_alone(CostRule rule) {
 
 /// The rule in the direction of a search from `root`.
 CostRule rule_from(const CostRule& rule, Root root) {
-  return root == Root::start ? rule : reversed(rule, 0);
+  return root == Root::start ? rule : reversed(rule, -rule.final_gear);
 }
 
 }  // namespace
@@ -98,9 +98,9 @@ void Ladder::next_guide() {
 
 // Gears and curvatures before and after the route of a search, in its direction.
 DrivenBeside Ladder::driven_beside_route(const CostRule& rule) const {
-  DrivenBeside beside = driven_at_ends(task_, rule.initial_gear);
-  if (root_ == Root::goal) std::swap(beside.before.curvature, beside.after.curvature);
-  return beside;
+  if (root_ == Root::start) return driven_at_ends(task_, rule.initial_gear);
+  const auto [before, after] = driven_at_ends(task_);
+  return {{-task_.beyond.goal, after.curvature}, {0, before.curvature}};
 }
 
 void Ladder::next_search() {

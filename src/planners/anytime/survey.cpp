@@ -54,7 +54,7 @@ Driven driven_of(const Connector& connector, const DriveField::Node& node) {
 }  // namespace
 
 Survey::Survey(const Task& task, const CostRule& rule)
-    : task_(task), forth_(task, rule), back_(task, reversed(rule, 0)), box_(box_around(task)) {}
+    : task_(task), forth_(task, rule), back_(task, reversed(rule, -rule.final_gear)), box_(box_around(task)) {}
 
 // Prepares the guide and the raster. True when both are complete.
 bool Survey::prepare() {
@@ -219,7 +219,7 @@ bool Survey::lead_through(std::int32_t node) {
 
 DrivenBeside Survey::driven_around(const Branch& head, std::size_t heads, const Branch& tail,
                                    std::size_t tails) const {
-  DrivenBeside beside{forth_.rule().initial_gear, 0};
+  DrivenBeside beside{forth_.rule().initial_gear, forth_.rule().final_gear};
   if (heads > 0) beside.before = driven_of(forth_, head.nodes[heads - 1]);
   if (tails > 0) {
     beside.after = driven_of(forth_, tail.nodes[tails - 1]);

@@ -74,6 +74,9 @@ void DriveShortener::drive(std::vector<double> near) {
     driving_.states.push_back(state);
     driving_.driven.push_back(driven);
   }
+  if (!commands_.empty()) {
+    driving_.prices.back() += search::change_cost(rule_, priced, rule_.final_gear);
+  }
   cost_ = measure_ ? measure_(segments()) : sum(driving_.prices) + sum(driving_.near);
   // The exact state at the end keeps small errors from adding up.
   driving_.states.back() = goal_state(task_);
@@ -168,7 +171,11 @@ void DriveShortener::price_trial(const Window& window) {
     segments_at_.push_back(obeyed.count);
   }
   goes_on_ = true;
-  if (window.last == commands_.size()) return;
+  if (window.last == commands_.size()) {
+    const double change = search::change_cost(rule_, priced, rule_.final_gear);
+    if (!trial_.empty()) tried_.prices.back() += change;
+    return;
+  }
   const Command& next = commands_[window.last];
   search::Driven as_ever = driving_.driven[window.last];
   const Obeyed obeyed = wheels_.obey(next, driven);

@@ -113,10 +113,11 @@ RigSearch::RigSearch(const Task& task, const CostRule& rule, const Guides& guide
       heading_cell_(0.5 * fineness.step / turning_radius(task.vehicle)),
       angle_cell_(0.5 * fineness.step / task.vehicle.trailer->wheelbase),
       primitives_(primitives_of(task.vehicle, fineness)),
-      sides_{side_from(start_state(task), goal_state(task), ends_.before, priced(rule),
-                       guides.to_goal),
-             side_from(goal_state(task), start_state(task), ends_.after,
-                       search::reversed(priced(rule), 0), guides.to_start)} {}
+      sides_{
+          side_from(start_state(task), goal_state(task), ends_.before, priced(rule),
+                    guides.to_goal),
+          side_from(goal_state(task), start_state(task), {-task.beyond.goal, ends_.after.curvature},
+                    search::reversed(priced(rule), 0), guides.to_start)} {}
 
 RigSearch::Side RigSearch::side_from(const State& root, const State& target, const Driven& before,
                                      const CostRule& rule, const search::GridDistance& grid) const {
