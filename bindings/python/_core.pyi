@@ -182,6 +182,7 @@ class GoalRegion:
         curvature: float = 0,
         hitch_angle: _Range = 0,
         is_of_trailer: bool = False,
+        straight: float = 0,
         of_trailer: bool | None = None,  # old name
     ) -> None: ...
     @property
@@ -200,6 +201,8 @@ class GoalRegion:
     def hitch_angle(self) -> _Range: ...
     @property
     def is_of_trailer(self) -> bool: ...
+    @property
+    def straight(self) -> float: ...
     @property
     def of_trailer(self) -> bool: ...  # old name, which warns
     def __eq__(self, other: object) -> bool: ...

@@ -52,13 +52,16 @@ export interface GoalRegion {
   curvature?: number;
   /** Heading of the vehicle less that of its trailer [rad]. */
   hitch_angles?: 'any' | [Range];
+  /** Length of the straight line with which the path ends, in either gear [m]. */
+  straight?: number;
 }
 
 /** Set of goals given by place and heading of the trailer's axle. */
 export interface TrailerRegion {
-  trailer: Omit<GoalRegion, 'curvature' | 'hitch_angles'>;
+  trailer: Omit<GoalRegion, 'curvature' | 'hitch_angles' | 'straight'>;
   curvature?: number;
   hitch_angles?: 'any' | [Range];
+  straight?: number;
 }
 
 /** A goal: a pose, a region, or several regions of which the cheapest is chosen. */

@@ -200,6 +200,8 @@ struct GoalRegion {
   Interval hitch_angle = {};  ///< heading of the vehicle - heading of its trailer [rad]
   /// Whether place and heading are those of the trailer's axle instead of the vehicle's rear axle.
   bool is_of_trailer = false;
+  /// Length of the straight line with which a path ends, in either gear [m]; 0: none is asked for.
+  double straight = 0.0;
   bool operator==(const GoalRegion&) const = default;
 };
 

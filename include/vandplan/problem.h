@@ -161,9 +161,12 @@ struct Task {
   Steering steering = Steering::reeds_shepp;
   EndCurvatures curvatures = {};
   EndHitchAngles hitch_angles = {};
-  /// Gears beyond the ends, if the task asks for a part of a longer drive. Where a gear goes on, the
-  /// wheels are held to `curvatures` unless they turn at once, and a gear change has its price.
+  /// Gears beyond the ends, if the task asks for a part of a longer drive. Where a gear goes on,
+  /// the wheels are held to `curvatures` unless they turn at once, and a gear change has its price.
   EndGears beyond = {};
+  /// Straight line with which the path ends [m]; negative: driven in reverse. Only the function of
+  /// a planner with `Capability::moving` sees another number than 0.
+  double last_stretch = 0.0;
   std::vector<GoalRegion> goal_set = {};    ///< regions where the path may end; empty: at `goal`
   std::vector<MovingObstacle> moving = {};  ///< moving obstacles, which `checker` does not know
 };

@@ -81,16 +81,20 @@ void read_axle(const Document& file, const Node& node, GoalRegion& region) {
 GoalRegion region_from(const Document& file, const Node& node, const Vehicle& vehicle) {
   GoalRegion region;
   if (const Node* const trailer = file.find(node, "trailer")) {
-    file.allow_only(node, {"trailer", "curvature", "hitch_angles"});
+    file.allow_only(node, {"trailer", "curvature", "hitch_angles", "straight"});
     expect_trailer(file, *trailer, vehicle, "is");
     file.allow_only(*trailer, {"x", "y", "area", "heading", "either_way"});
     region.is_of_trailer = true;
     read_axle(file, *trailer, region);
   } else {
-    file.allow_only(node, {"x", "y", "area", "heading", "either_way", "curvature", "hitch_angles"});
+    file.allow_only(
+        node, {"x", "y", "area", "heading", "either_way", "curvature", "hitch_angles", "straight"});
     read_axle(file, node, region);
   }
   region.curvature = curvature_from(file, node);
+  if (const Node* const straight = file.find(node, "straight")) {
+    region.straight = file.number(*straight);
+  }
   if (const Node* const angles = file.find(node, "hitch_angles")) {
     region.hitch_angle = hitch_angles_from(file, *angles, vehicle);
   }
@@ -124,6 +128,7 @@ std::string yaml_of(const GoalRegion& region) {
   if (region.hitch_angle != Interval{}) {
     axle += fmt::format(", hitch_angles: [{}]", yaml_of(region.hitch_angle));
   }
+  if (region.straight != 0.0) axle += fmt::format(", straight: {}", region.straight);
   return fmt::format("{{{}}}", axle);
 }
 
@@ -153,6 +158,7 @@ End goal_from(const Document& file, const Node& node, const Vehicle& vehicle) {
 }
 
 bool is_goal_set(const Document& file, const Node& node) {
+  if (file.find(node, "straight") != nullptr) return true;
   const Node* const trailer = file.find(node, "trailer");
   const Node& axle = trailer == nullptr ? node : *trailer;
   for (const char* const key : {"any_of", "area", "either_way"}) {
@@ -208,7 +214,8 @@ std::string yaml_of(const End& end) {
 }
 
 std::string yaml_of(const std::vector<GoalRegion>& set) {
-  const bool is_alone = set.size() == 1 && (set[0].either_way || is_continuous(set[0]));
+  const bool is_alone =
+      set.size() == 1 && (set[0].either_way || is_continuous(set[0]) || set[0].straight != 0.0);
   if (is_alone) return " " + yaml_of(set.front()) + "\n";
   std::string text = "\n  any_of:\n";
   for (const GoalRegion& region : set) text += fmt::format("    - {}\n", yaml_of(region));

@@ -66,6 +66,23 @@ Real turn_into(const HeadingRange& range, Real heading, Real turned) {
 
 Real beyond(Real off) { return std::max(std::abs(off) - tolerance, Real{0}); }
 
+/// Length of the line in one gear with which a track ends [m]. It is straight if its heading
+/// changes by no more than the tolerance.
+Real straight_end(const Track& track) {
+  Real turned = 0, length = 0, direction = 0;
+  for (std::size_t i = track.stretches.size(); i > 0; --i) {
+    const Stretch& stretch = track.stretches[i - 1];
+    if (!(stretch.length > 0)) continue;
+    if (direction * stretch.direction < 0) break;
+    direction = stretch.direction;
+    const Real most = steepest(stretch);
+    if (turned + most * stretch.length > tolerance) return length + (tolerance - turned) / most;
+    turned += most * stretch.length;
+    length += stretch.length;
+  }
+  return length;
+}
+
 /// Position of the tractor for a position of its trailer and a hitch angle [rad].
 Position tractor_ahead_of(const Position& trailer, const Vehicle& vehicle, Real angle) {
   const Real length = vehicle.trailer->wheelbase;
@@ -87,6 +104,7 @@ Goal nearest_goal(const Task& task, const Track& track, const Trailing* trailing
   const Real angle = trailing == nullptr ? 0 : trailing->angle(end);
   const Real curvature =
       track.length > 0 ? curvature_at(track.stretches.back(), end.t) : task.curvatures.start;
+  const Real straight = straight_end(track);
   Goal nearest;
   Real least = std::numeric_limits<Real>::infinity();
   for (std::size_t i = 0; i < task.goal_set.size(); ++i) {
@@ -104,7 +122,8 @@ Goal nearest_goal(const Task& task, const Track& track, const Trailing* trailing
     const Real fold = std::remainder(angle, full_turn);
     const Real hitch_angle = clamped(fold, region.hitch_angle);
     const Real off = beyond(distance(goal, place)) + beyond(turn) + beyond(hitch_angle - fold) +
-                     (wheels_count ? beyond(curvature - region.curvature) : 0);
+                     (wheels_count ? beyond(curvature - region.curvature) : 0) +
+                     std::max<Real>(region.straight - straight - tolerance, 0);
     if (!(off < least)) continue;
     least = off;
     Position pose{goal.x, goal.y, axle.heading + turn};
@@ -116,7 +135,8 @@ Goal nearest_goal(const Task& task, const Track& track, const Trailing* trailing
                {static_cast<double>(pose.x), static_cast<double>(pose.y),
                 static_cast<double>(std::remainder(pose.heading, full_turn))},
                region.curvature,
-               static_cast<double>(hitch_angle)};
+               static_cast<double>(hitch_angle),
+               static_cast<double>(std::max<Real>(region.straight - straight, 0))};
   }
   return nearest;
 }

@@ -18,6 +18,8 @@ struct Goal {
   Pose pose = {};
   double curvature = 0.0;    ///< curvature at the goal [1/m]
   double hitch_angle = 0.0;  ///< hitch angle at the goal [rad]; 0 without a trailer
+  /// Length by which the straight line at the end is shorter than the goal asks for [m].
+  double lack_of_straight = 0.0;
 };
 
 /// Distance of a place from a closed polygon [m]; 0 inside.
@@ -25,7 +27,8 @@ struct Goal {
 
 /// Nearest goal to the end of a track: in region number `only`, or in any region of a non-empty
 /// set. The error of a goal is the sum of what exceeds the judge's tolerance: in distance [m], in
-/// angles [rad] and, if `wheels_count`, in curvature [1/m]. The first region wins ties. `trailing`
+/// angles [rad], in length of the straight last stretch [m] and, if `wheels_count`, in curvature
+/// [1/m]. The first region wins ties. `trailing`
 /// is null without a trailer.
 [[nodiscard]] Goal nearest_goal(const Task& task, const Track& track, const Trailing* trailing,
                                 bool wheels_count, std::optional<std::size_t> only);

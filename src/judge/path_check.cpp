@@ -296,6 +296,14 @@ std::optional<Fault> false_goal(const Goal& goal, const std::optional<ReachedGoa
       {}};
 }
 
+/// Fault of a path whose last stretch is not as long and straight as the goal asks for.
+std::optional<Fault> bent_end(const GoalRegion& region, const Goal& goal, const Place& end) {
+  if (goal.lack_of_straight <= position_tolerance) return std::nullopt;
+  return Fault{text("the last %.7g m before the goal are straight and in one gear, expected %.7g m",
+                    region.straight - goal.lack_of_straight, region.straight),
+               end};
+}
+
 /// The goal to which a path is compared: in the claimed region if it exists, else the nearest.
 Goal goal_of(const Task& task, const Track& track, const Trailing* trailing,
              const PathClaims& claims) {
@@ -410,6 +418,7 @@ PathCheck check_path(const Problem& problem, const Path& path, const PathClaims&
   } else {
     const Goal goal = goal_of(*task, track, trailer, local);
     fault = first_fault(with_goal(*task, goal), track, trailer, local, check.clearance);
+    if (!fault) fault = bent_end(task->goal_set[goal.index], goal, end_of(track));
     if (!fault) fault = false_goal(goal, local.goal);
     if (!fault) check.goal = ReachedGoal{goal.index, to_scenario(world, Local(goal.pose))};
   }

@@ -78,6 +78,15 @@ LocalState state_of(const Task& task, const GoalPoint& point) {
   return Local(problem::state_at(task.vehicle, region, axle, angle));
 }
 
+std::size_t goals_of_pose(const GoalRegion& region) {
+  return (region.either_way ? 2U : 1U) * (region.straight > 0.0 ? 2U : 1U);
+}
+
+double last_stretch(const Task& task, const GoalPoint& point) {
+  const double straight = task.goal_set[point.region].straight;
+  return point.is_backed_into ? -straight : straight;
+}
+
 std::size_t number_of_intervals(const Task& task, std::size_t region) {
   const std::array<double, 4> widths = widths_of(task.goal_set[region]);
   const auto count =
@@ -97,8 +106,11 @@ GoalPoint point_of_sequence(const Task& task, std::size_t region, std::size_t i)
   const GoalRegion& of = task.goal_set[region];
   const std::array<double, 4> widths = widths_of(of);
   GoalPoint point{.region = region, .at = {}};
-  if (of.either_way) point.is_turned = i % 2 == 1;
-  const std::size_t number = of.either_way ? i / 2 : i;
+  const std::size_t turns_of_pose = of.either_way ? 2 : 1;
+  const std::size_t kind = i % goals_of_pose(of);
+  point.is_turned = kind % turns_of_pose == 1;
+  point.is_backed_into = kind >= turns_of_pose;
+  const std::size_t number = i / goals_of_pose(of);
   constexpr std::array roots = {2.0, 1.618033988749895, 1.324717957244746, 1.2207440846057594,
                                 1.1673039782614187};
   const double root = roots[number_of_intervals(task, region)];

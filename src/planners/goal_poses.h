@@ -16,17 +16,25 @@ struct GoalPoint {
   std::size_t region = 0;         ///< index of the region in the set
   std::array<double, 4> at = {};  ///< 0 to 1 in the intervals of x, y, heading, hitch angle
   bool is_turned = false;         ///< whether the heading has half a turn more
+  bool is_backed_into = false;    ///< whether the straight last stretch is driven in reverse
   bool operator==(const GoalPoint&) const = default;
 };
 
 /// State of the vehicle at a goal, in the world's frame; heading in [-pi, pi).
 [[nodiscard]] LocalState state_of(const Task& task, const GoalPoint& point);
 
+/// Number of goals of one pose of a region: it may be turned round, and the straight last stretch
+/// may be driven in both gears.
+[[nodiscard]] std::size_t goals_of_pose(const GoalRegion& region);
+
+/// Straight last stretch before a goal [m]; negative in reverse, 0 if the region asks for none.
+[[nodiscard]] double last_stretch(const Task& task, const GoalPoint& point);
+
 /// Number of intervals of a region that are longer than 0: of x, y, heading and hitch angle.
 [[nodiscard]] std::size_t number_of_intervals(const Task& task, std::size_t region);
 
 /// Calls `take` with goals evenly spread over a region, until it has returned true `most` times or
-/// there are no more. A region of one pose has one goal, or two if it may be turned.
+/// there are no more. A region of one pose has the `goals_of_pose`.
 template <class Take>
 void spread(const Task& task, std::size_t region, std::size_t most, Take take);
 
@@ -46,7 +54,7 @@ inline constexpr std::size_t max_points = 4096;
 template <class Take>
 void spread(const Task& task, std::size_t region, std::size_t most, Take take) {
   const GoalRegion& of = task.goal_set[region];
-  const std::size_t looks = is_continuous(of) ? max_points : of.either_way ? 2 : 1;
+  const std::size_t looks = is_continuous(of) ? max_points : goals_of_pose(of);
   for (std::size_t i = 0, taken = 0; i < looks && taken < most; ++i) {
     const GoalPoint point = point_of_sequence(task, region, i);
     if (is_in_region(task, point) && take(point)) ++taken;

@@ -18,6 +18,7 @@
 #include "planners/drive_source.h"
 #include "planners/drive_time.h"
 #include "planners/ghosts.h"
+#include "planners/last_stretch.h"
 #include "planners/path_search.h"
 #include "planners/plan_to_set.h"
 #include "planners/pricing.h"
@@ -96,6 +97,7 @@ class InTimeRun {
     const auto [first, last] = task_.curvatures;
     if (task_.steering == Steering::continuous && first != last) return false;
     if (task_.hitch_angles.start != task_.hitch_angles.goal) return false;
+    if (task_.last_stretch != 0.0) return false;
     return reeds_shepp_length(task_.start, task_.goal, task_.vehicle.min_turning_radius) == 0.0;
   }
 
@@ -106,7 +108,11 @@ class InTimeRun {
     if (options.budget.time_limit) {
       *options.budget.time_limit = std::max(*options.budget.time_limit - budget_.elapsed(), 0.0);
     }
-    return anytime::drive_search(task, options, time_price, given);
+    const auto search_to = [sources = given.sources](const Task& to, const PlanOptions& round,
+                                                     const Path* known) {
+      return anytime::drive_search(to, round, time_price, {.known = known, .sources = sources});
+    };
+    return planning::search_with_line(task, options, time_price, given.known, search_to);
   }
 
   /// Does one piece of work. False if nothing is left to do.

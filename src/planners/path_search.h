@@ -34,6 +34,11 @@ class PathSearch {
   [[nodiscard]] virtual PlannerAnswer answer() = 0;
 };
 
+/// Begins a search for paths to the one goal of a task. `known` is a path of the task's frame to a
+/// goal nearby, or null. The task outlives the search.
+using SearchTo = std::function<std::unique_ptr<PathSearch>(
+    const Task& task, const PlanOptions& options, const Path* known)>;
+
 /// A planner as a function of its options.
 using PlannerRun = std::function<PlannerAnswer(const PlanOptions&)>;
 

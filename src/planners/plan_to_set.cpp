@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <deque>
 #include <limits>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "planners/anytime/compose.h"
 #include "planners/anytime/cost_bound.h"
 #include "planners/goal_poses.h"
+#include "planners/last_stretch.h"
 #include "planners/pricing.h"
 #include "planners/rig/towed.h"
 #include "problem/goal_set.h"
@@ -82,11 +84,7 @@ class SetRun {
   }
 
   [[nodiscard]] PlannerAnswer answer() {
-    if (candidates_.empty()) {
-      return {.status = PlanStatus::goal_in_collision,
-              .reason = "none of the " + std::to_string(looked_at_) +
-                        " poses of the goal that were looked at is free"};
-    }
+    if (candidates_.empty()) return without_goals();
     while (!is_over()) {
       Candidate* const next = next_candidate();
       if (next != nullptr) go_on(*next);
@@ -139,18 +137,41 @@ class SetRun {
 
   /// Whether the search for the goal has a path at once, on open ground.
   [[nodiscard]] bool is_open(const Candidate& goal) const {
-    return !anytime::open_ways(goal.task, pricing_.rule()).empty();
+    return !anytime::open_ways(before_line(goal.task), pricing_.rule()).empty();
   }
 
-  /// The goal at a point; none if the vehicle cannot stand there.
-  [[nodiscard]] std::optional<Candidate> candidate_at(const GoalPoint& point) const {
+  /// The goal at a point; none if the vehicle cannot stand there, or not come there straight.
+  [[nodiscard]] std::optional<Candidate> candidate_at(const GoalPoint& point) {
     const LocalState state = state_of(task_, point);
     Candidate goal{.point = point,
                    .task = problem::task_to(alone_, state, task_.goal_set[point.region].curvature,
                                             options_.clearance)};
     if (!goal.task.checker->is_free(state)) return std::nullopt;
+    ++free_;
     goal.bound = cost_lower_bound_to(goal.task);
+    goal.task.last_stretch = last_stretch(task_, point);
+    if (goal.task.last_stretch == 0.0) return goal;
+    const Task before = before_line(goal.task);
+    const Segment line = line_of(goal.task);
+    const bool may_drive = search::may_drive(pricing_.rule(), {&line, 1});
+    if (!may_drive || !before.checker->is_free(goal_state(before), line)) return std::nullopt;
+    if (pricing_.counts_time()) return goal;
+    const double of_line = pricing_.rule().weight(search::gear_of(line)) * std::abs(line.length);
+    goal.bound = std::max(goal.bound, cost_lower_bound_to(before) + of_line);
     return goal;
+  }
+
+  /// The answer if there is no goal to search for.
+  [[nodiscard]] PlannerAnswer without_goals() const {
+    const std::string poses = " poses of the goal that were looked at ";
+    if (free_ == 0) {
+      return {.status = PlanStatus::goal_in_collision,
+              .reason = "none of the " + std::to_string(looked_at_) + poses + "is free"};
+    }
+    const bool saw_each = saw_all_ && std::ranges::none_of(task_.goal_set, is_continuous);
+    return {.status = saw_each ? PlanStatus::no_path : PlanStatus::iteration_limit,
+            .reason = "before none of the " + std::to_string(looked_at_) + poses +
+                      "there is a free straight last stretch"};
   }
 
   [[nodiscard]] double cost_lower_bound_to(const Task& task) const {
@@ -239,7 +260,10 @@ class SetRun {
         *options.budget.time_limit = std::max(*options.budget.time_limit - budget_.elapsed(), 0.0);
       }
       goal.begun = budget_.elapsed();
-      goal.search = search_to_(goal.task, options, goal.known ? &*goal.known : nullptr);
+      const Path* const known = goal.known ? &*goal.known : nullptr;
+      goal.search = task_.moving.empty()
+                        ? search_with_line(goal.task, options, time_price_, known, search_to_)
+                        : search_to_(goal.task, options, known);
     }
     const std::int64_t done = goal.search->iterations();
     goal.is_done = !goal.search->advance(budget_.left(max_turn_iterations, 0));
@@ -259,7 +283,7 @@ class SetRun {
   }
 
   [[nodiscard]] bool is_at_start(const Candidate& goal) const {
-    if (!task_.moving.empty()) return false;
+    if (!task_.moving.empty() || goal.task.last_stretch != 0.0) return false;
     const auto [first, last] = goal.task.curvatures;
     if (task_.steering == Steering::continuous && first != last) return false;
     if (goal.task.hitch_angles.start != goal.task.hitch_angles.goal) return false;
@@ -415,7 +439,8 @@ class SetRun {
   Pricing pricing_;
   search::Budget budget_;
   std::deque<Candidate> candidates_;
-  std::size_t looked_at_ = 0;  // poses looked at
+  std::size_t looked_at_ = 0;  // goals looked at
+  std::size_t free_ = 0;       // goals where the vehicle can stand
   bool saw_all_ = true;        // whether no region was left out for lack of time
   std::optional<double> bound_of_regions_;
   Candidate* best_ = nullptr;

@@ -14,11 +14,6 @@
 
 namespace vandplan::planning {
 
-/// Begins a search for paths to the one goal of a task. `known` is a path of the task's frame to a
-/// goal nearby, or null. The task outlives the search.
-using SearchTo = std::function<std::unique_ptr<PathSearch>(
-    const Task& task, const PlanOptions& options, const Path* known)>;
-
 /// Plans to the cheapest goal of the set of a task. Searches for goals take turns, and promising
 /// goals get more work. Then goals between them in continuous regions are tried. Each second costs
 /// `time_price` [m] beside the prices of the path; `time_price` is ignored if the cost is the time.

@@ -85,6 +85,7 @@ class Through final : public PathSearch {
     there.goal = onward.start = detour.refuge;
     there.curvatures.goal = onward.curvatures.start = 0.0;
     there.hitch_angles.goal = 0.0;
+    there.last_stretch = 0.0;
     if (task.steering != Steering::continuous_between_stops || paths_[0].empty()) return;
     // The vehicle may roll on through the refuge, and may turn its wheels at the ends.
     there.steering = onward.steering = Steering::continuous;
@@ -233,7 +234,7 @@ std::optional<std::vector<Segment>> Refuges::way_there(const Path& path, double 
 
 std::optional<std::vector<Segment>> Refuges::way_onward(const Path& path, double s,
                                                         const LocalPose& refuge) {
-  const double end = length(path);
+  const double end = length(path) - std::abs(task_.last_stretch);
   for (int i = 0; i < places_to_leave; ++i) {
     const double ahead = uniform(0.0, furthest_along, rng_) * task_.vehicle.min_turning_radius;
     const double returns = straight_place(path, std::min(s + ahead, end));
@@ -241,7 +242,7 @@ std::optional<std::vector<Segment>> Refuges::way_onward(const Path& path, double
     if (!piece) continue;
     std::vector<Segment> way;
     append(way, piece->piece);
-    const std::vector<Segment> rest = stretch_of(path, returns, end);
+    const std::vector<Segment> rest = stretch_of(path, returns, length(path));
     way.insert(way.end(), rest.begin(), rest.end());
     return way;
   }

@@ -259,7 +259,14 @@ Smoothed smooth(const Problem& of_set, const Path& path, SmoothMethod method,
   smoothed.given_fault = given.reason;
   PlanResult& result = smoothed.result;
   const auto name_goal = [&] {
-    if (result.path) result.goal = check_path(of_set, *result.path).goal;
+    if (!result.path) return;
+    PathCheck check = check_path(of_set, *result.path);
+    result.goal = check.goal;
+    if (check.valid) return;
+    // The smoothed path ends at the goal, but not straight.
+    result.status = PlanStatus::rejected;
+    result.reason = std::move(check.reason);
+    result.path.reset();
   };
   name_goal();
   if (!given.valid) return smoothed;

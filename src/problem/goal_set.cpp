@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "base/require.h"
 #include "base/text.h"
 #include "geometry/convex.h"
 #include "problem/checks.h"
@@ -17,12 +18,21 @@ namespace problem {
 namespace {
 
 constexpr std::size_t most_regions = 10'000;
+constexpr double longest_straight = 1000.0;  // longest straight last stretch [m]
 
 void check_interval(const Interval& interval, const std::string& where) {
   if (interval.least <= interval.most) return;
   throw InputError(where, "is [" + base::shortest_text(interval.least) + ", " +
                               base::shortest_text(interval.most) +
                               "], expected the smaller number first");
+}
+
+void check_straight(const GoalRegion& region, const std::string& where) {
+  base::require(region.straight >= 0.0 && region.straight <= longest_straight, where + ".straight",
+                region.straight, "0 to 1000 [m]");
+  if (region.straight == 0.0 || region.curvature == 0.0) return;
+  throw InputError(where + ".curvature", "is " + base::shortest_text(region.curvature) +
+                                             " beside straight, expected straight wheels");
 }
 
 /// Box around all positions of a region [m].
@@ -47,6 +57,7 @@ void check_region(const GoalRegion& region, const Vehicle& vehicle, const Pose& 
   }
   check_headings(region.heading, axle + ".heading");
   check_curvature(region.curvature, vehicle, where + ".curvature");
+  check_straight(region, where);
   check_interval(region.hitch_angle, where + ".hitch_angles");
   check_hitch_angle(region.hitch_angle.least, vehicle, where + ".hitch_angles");
   check_hitch_angle(region.hitch_angle.most, vehicle, where + ".hitch_angles");

@@ -50,6 +50,9 @@ TEST(GoalFile, ReadsWhatGoalsMayBe) {
   region.heading = {1.4, 1.7};
   region.x = {44, 46};
   EXPECT_EQ(set_of("{x: [44, 46], y: 2, heading: [1.4, 1.7]}"), std::vector{region});
+  GoalRegion dock = region_of_pose({1, 2, 0.5});
+  dock.straight = 8;
+  EXPECT_EQ(set_of("{x: 1, y: 2, heading: 0.5, straight: 8}"), std::vector{dock});
   region = {.area = {{40, 15}, {50, 15}, {50, 25}}, .heading = any_heading, .curvature = 0.1};
   EXPECT_EQ(set_of("{area: [[40, 15], [50, 15], [50, 25]], heading: any, curvature: 0.1}"),
             std::vector{region});
@@ -78,7 +81,7 @@ TEST(GoalFile, WritesWhatItReads) {
   for (const char* const goal :
        {"{x: 0.1, y: 2, heading: any}", "{x: [0.1, 0.3], y: [1, 2], heading: [3, -3]}",
         "{area: [[40, 15.125], [50, 15], [50, 25]], heading: 1, either_way: true}",
-        "{any_of: [{x: 1, y: 2, heading: 3}]}",
+        "{any_of: [{x: 1, y: 2, heading: 3}]}", "{x: 1, y: 2, heading: 3, straight: 8.5}",
         "{any_of: [{x: 1, y: 2, heading: 3, curvature: 0.01}, {x: 5, y: 6, heading: any}]}"}) {
     const ScenarioFile read = scenario_from_yaml(file_with(goal), "s.yaml");
     const ScenarioFile again = scenario_from_yaml(to_yaml(read), "again.yaml");
@@ -105,6 +108,10 @@ TEST(GoalFile, SaysWhatIsWrong) {
             "s.yaml:5: goal.heading: spans 7 rad, expected at most a full turn: any");
   EXPECT_EQ(error_for("{x: 3, y: 2, heading: 0, either_way: maybe}"),
             "s.yaml:5: goal.either_way: is \"maybe\", expected true or false");
+  EXPECT_EQ(error_for("{x: 3, y: 2, heading: 0, straight: -1}"),
+            "s.yaml:5: goal.straight: is -1, expected 0 to 1000 [m]");
+  EXPECT_EQ(error_for("{x: 3, y: 2, heading: 0, straight: 8, curvature: 0.1}"),
+            "s.yaml:5: goal.curvature: is 0.1 beside straight, expected straight wheels");
   EXPECT_EQ(error_for("{x: 3, area: [[40, 15], [50, 15], [50, 25]], heading: 0}"),
             "s.yaml:5: goal.area: is given beside x, expected one of the two");
   EXPECT_EQ(error_for("{area: [[40, 15], [50, 15], [45, 20], [45, 10]], heading: 0}").substr(0, 19),

@@ -113,6 +113,34 @@ TEST(JudgeOfGoals, HoldsWheelsToTheGoalTheyStandAt) {
   EXPECT_EQ(check.goal->index, 1U);
 }
 
+TEST(JudgeOfGoals, HoldsTheLastStretchToALine) {
+  GoalRegion dock = region_of_pose({11, 0, 0});
+  dock.straight = 8;
+  const auto check = [&](const std::vector<Segment>& segments) {
+    const Path path{{}, segments};
+    GoalRegion at_end = region_of_pose(end_pose(path));
+    at_end.straight = dock.straight;
+    return check_path(with_set({at_end}), path);
+  };
+  EXPECT_TRUE(check({{0.0, 11.0}}).valid);
+  EXPECT_TRUE(check({{0.1, 3.0}, {0.0, 8.0}}).valid);
+  EXPECT_TRUE(check({{0.1, 3.0}, {0.0, 3.0}, {0.0, 5.0 - 0.9e-6}}).valid);
+  EXPECT_TRUE(check({{0.1, 3.0}, {0.0, -8.0}}).valid);
+  EXPECT_TRUE(check({{0.0, 3.0}, {0.0, -8.0}}).valid);
+  EXPECT_FALSE(check({{0.1, 3.0}, {0.0, 7.99}}).valid);
+  EXPECT_FALSE(check({{0.0, -3.0}, {0.0, 5.0}}).valid);  // changes gear on the line
+  EXPECT_FALSE(check({{0.0, 8.0}, {0.1, 0.001}}).valid);
+  EXPECT_FALSE(check({{0.0, 8.0}, {0.0, 4.0, 1e-4}}).valid);  // the wheels turn
+  EXPECT_FALSE(check({}).valid);
+  EXPECT_EQ(check({{0.1, 3.0}, {0.0, 5.0}}).reason,
+            "the last 5 m before the goal are straight and in one gear, expected 8 m");
+  // Another goal of the set asks for less.
+  const Path path{{}, {{0.0, 11.0}}};
+  GoalRegion longer = region_of_pose({11, 0, 0});
+  longer.straight = 12;
+  EXPECT_EQ(check_path(with_set({longer, dock}), path).goal->index, 1U);
+}
+
 TEST(JudgeOfGoals, HoldsTrailersToTheirRegions) {
   const Vehicle rig = semitrailer();
   const Path path{{}, {{0.0, 6.0}, {0.1, 5.0}}};

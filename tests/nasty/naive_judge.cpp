@@ -235,9 +235,25 @@ bool is_of_region(const Scenario& scenario, const GoalRegion& region, const Driv
   return off <= allowed_miss && turn <= allowed_miss && !is_folded;
 }
 
-std::string flaw_of_end(const Scenario& scenario, const Drive& at) {
+/// Length of the straight line in one gear at the end of a path, which may turn by a microradian.
+Real straight_end(const Path& path) {
+  Real turn = 0, end = 0;
+  for (std::size_t i = path.segments.size(); i > 0; --i) {
+    const Segment& segment = path.segments[i - 1];
+    if (end * segment.length < 0) break;
+    const Real length = std::abs(Real{segment.length});
+    const Real far = segment.curvature + Real{segment.curvature_rate} * length;
+    turn += std::max(std::abs(Real{segment.curvature}), std::abs(far)) * length;
+    if (turn > allowed_miss) break;
+    end += segment.length;
+  }
+  return std::abs(end);
+}
+
+std::string flaw_of_end(const Scenario& scenario, const Path& path, const Drive& at) {
+  const Real straight = straight_end(path) + allowed_miss;
   for (const GoalRegion& region : scenario.goal_set) {
-    if (is_of_region(scenario, region, at)) return "";
+    if (straight >= region.straight && is_of_region(scenario, region, at)) return "";
   }
   return flaw_at("ends at none of the goals", at.place);
 }
@@ -260,7 +276,7 @@ std::string naive_flaw(const Scenario& scenario, const Path& path) {
     if (!flaw.empty()) return flaw;
   }
   if (std::string flaw = naive_look_at_zones(scenario, path).flaw; !flaw.empty()) return flaw;
-  if (!scenario.goal_set.empty()) return flaw_of_end(scenario, at);
+  if (!scenario.goal_set.empty()) return flaw_of_end(scenario, path, at);
   const Pose& goal = scenario.goal;
   const Real dx = at.place.x - (Real{goal.x} - scenario.start.x);
   const Real dy = at.place.y - (Real{goal.y} - scenario.start.y);

@@ -359,6 +359,7 @@ GoalRegion nasty_region(const Scenario& scenario, double size, Rng& rng) {
   region.heading = chance(0.3, rng) ? any_heading : HeadingRange{turn.least, turn.most};
   region.either_way = chance(0.3, rng);
   region.curvature = chance(0.9, rng) ? 0.0 : scenario.curvatures.start;
+  if (region.curvature == 0.0 && chance(0.3, rng)) region.straight = any_size(1e-3, 3, rng) * size;
   if (!scenario.vehicle.trailer) return region;
   const double most = scenario.vehicle.max_hitch_angle;
   const Interval angle = nasty_interval(scenario.hitch_angles.goal, 0.2, rng);

@@ -344,6 +344,82 @@ INSTANTIATE_TEST_SUITE_P(OfTheDefaultPlanner, OfASet,
                                           testing::Bool(), testing::Values(0.0, 0.3)),
                          name_of_set);
 
+TEST_P(OfASet, EndsStraight) {
+  const auto& [who, steering, measure, has_movers, margin] = GetParam();
+  GoalRegion dock = region_of_pose({34, 16, pi / 2});
+  dock.straight = 6;
+  dock.either_way = true;
+  Scenario scenario = yard({dock}, {box(14, -6, 16, 3)});
+  if (who == Hauls::rig) scenario.vehicle = semitrailer();
+  if (has_movers) {
+    scenario.moving = {{.outline = box(-2, -1, 2, 1),
+                        .trajectory = {{0, {24, 30, -pi / 2}}, {12, {24, -30, -pi / 2}}},
+                        .after = Afterwards::leaves}};
+  }
+  PlanOptions options = with_iterations(is_sanitized ? 100 : 2500);
+  options.cost.measure = measure;
+  options.steering = steering;
+  options.clearance = {margin, 0.0};
+  const Problem problem = make_problem(scenario);
+  const PlanResult result = plan(problem, options);
+  ASSERT_NE(result.status, PlanStatus::rejected) << result.reason;
+  if (is_sanitized && !result.path) return;  // in so few iterations
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  EXPECT_LE(result.lower_bound, result.cost);
+  EXPECT_EQ(result.path->segments.back().curvature, 0.0);
+  EXPECT_GE(std::abs(result.path->segments.back().length), 6.0);
+}
+
+TEST(GoalSet, EndsStraightInTheGearThatIsAllowed) {
+  GoalRegion dock = region_of_pose({10, 10, pi / 2});
+  dock.straight = 6;
+  const Problem problem = make_problem(yard({dock}));
+  for (const AllowedGears gears : {AllowedGears::forward, AllowedGears::reverse}) {
+    PlanOptions options = with_iterations(2000);
+    options.cost.gears = gears;
+    const PlanResult result = plan(problem, options);
+    expect_at_goal(problem, result);
+    EXPECT_EQ(result.path->segments.back().length > 0.0, gears == AllowedGears::forward);
+  }
+}
+
+TEST(GoalSet, EndsStraightByEveryPlanner) {
+  GoalRegion dock = region_of_pose({30, 10, 0});
+  dock.straight = 6;
+  const Problem problem = make_problem(yard({dock}));
+  for (const Planner& planner : planners()) {
+    PlanOptions options = with_iterations(is_sanitized ? 300 : 6000);
+    if (honours(planner, "region")) options.planner.set("region", "scene");
+    const PlanResult result = plan(problem, planner, options);
+    EXPECT_NE(result.status, PlanStatus::rejected) << planner.name << ": " << result.reason;
+  }
+}
+
+TEST(GoalSet, SaysThatNothingComesStraightToTheGoal) {
+  GoalRegion dock = region_of_pose({30, 0, 0});
+  dock.straight = 20;
+  // Posts 15 m ahead and behind.
+  const PlanResult result = plan(
+      make_problem(yard({dock}, {box(10, -1, 11, 1), box(50, -1, 51, 1)})), with_iterations(500));
+  EXPECT_EQ(result.status, PlanStatus::no_path);
+  EXPECT_EQ(result.reason,
+            "before none of the 2 poses of the goal that were looked at there is a free straight "
+            "last stretch");
+}
+
+TEST(GoalSet, DrivesTheLastStretchAgainIfTheStartIsTheGoal) {
+  GoalRegion dock = region_of_pose({0, 0, 0});
+  dock.straight = 5;
+  const PlanResult result = plan(make_problem(yard({dock})), by_length(500));
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  EXPECT_NEAR(length(*result.path), 10.0, 1e-6);
+  dock = region_of_pose({5, 0, 0});
+  dock.straight = 5;
+  const PlanResult line = plan(make_problem(yard({dock})), by_length(500));
+  ASSERT_EQ(line.status, PlanStatus::solved) << line.reason;
+  EXPECT_NEAR(length(*line.path), 5.0, 1e-9);
+}
+
 TEST(GoalSet, GivesTheMarginWayAtTheGoalThatIsTaken) {
   Scenario scenario = yard({region_of_pose({20, 0, 0}), region_of_pose({30, 0, 0})},
                            {box(26, -1, 27, 1), box(36, -1, 37, 1)});  // 0.1 m ahead

@@ -20,6 +20,7 @@ def test_a_region_says_what_it_was_given():
     region = vp.GoalRegion((44, 46), 20, (1.4, 1.7), either_way=True, curvature=0.01)
     assert region.x == (44, 46) and region.y == 20 and region.heading == (1.4, 1.7)
     assert region.either_way and region.curvature == 0.01 and region.hitch_angle == 0
+    assert region.straight == 0 and vp.GoalRegion(1, 2, 3, straight=8).straight == 8
     assert region.area is None and not region.is_of_trailer
     assert region == vp.GoalRegion((44, 46), 20, (1.4, 1.7), either_way=True, curvature=0.01)
     assert region != vp.GoalRegion((44, 46), 20, 1.4) and region != 3

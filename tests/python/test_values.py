@@ -46,7 +46,7 @@ def every_value(tmp_path):
         "DriveResult": trailer,
         "ExecutableCheck": executable,
         "Execution": executable.flowing,
-        "GoalRegion": vp.GoalRegion((3, 4), 2, (1, 2), either_way=True),
+        "GoalRegion": vp.GoalRegion((3, 4), 2, (1, 2), either_way=True, straight=4),
         "LiveDriveResult": live,
         "Meeting": vp.first_meeting(busy.speeds, scenario.moving, 1000),
         "MovingObstacle": crossing_car(60),

@@ -39,13 +39,14 @@ HeadingRange headings_from(const py::object& given) {
 GoalRegion made_region(const py::object& x, const py::object& y, const py::object& heading,
                        const py::object& area, bool either_way, double curvature,
                        const py::object& hitch_angle, std::optional<bool> is_of_trailer,
-                       std::optional<bool> of_trailer) {
+                       double straight, std::optional<bool> of_trailer) {
   const auto trailer = renamed("is_of_trailer", is_of_trailer, "of_trailer", of_trailer);
   GoalRegion region{.heading = headings_from(heading),
                     .either_way = either_way,
                     .curvature = curvature,
                     .hitch_angle = interval_from(hitch_angle, "hitch_angle"),
-                    .is_of_trailer = trailer.value_or(false)};
+                    .is_of_trailer = trailer.value_or(false),
+                    .straight = straight};
   const bool has_area = !area.is_none();
   if (has_area != (x.is_none() && y.is_none()) || x.is_none() != y.is_none()) {
     throw InputError("area", "expected either x and y or an area");
@@ -84,12 +85,13 @@ py::tuple state_of_region(const GoalRegion& self) {
   return py::make_tuple(place_of(self, self.x), place_of(self, self.y), heading_of(self),
                         area_of(self), self.either_way, self.curvature,
                         number_or_pair(self.hitch_angle.least, self.hitch_angle.most),
-                        self.is_of_trailer);
+                        self.is_of_trailer, self.straight);
 }
 
 GoalRegion region_from_state(const py::tuple& state) {
   return made_region(state[0], state[1], state[2], state[3], state[4].cast<bool>(),
-                     state[5].cast<double>(), state[6], state[7].cast<bool>(), {});
+                     state[5].cast<double>(), state[6], state[7].cast<bool>(),
+                     state[8].cast<double>(), {});
 }
 
 std::string text_of_region(const GoalRegion& self) {
@@ -104,7 +106,8 @@ std::string text_of_region(const GoalRegion& self) {
 void bind_region(py::module_& module) {
   py::class_<GoalRegion> region(module, "GoalRegion",
                                 R"(GoalRegion(x=None, y=None, heading="any", *,
-    area=None, either_way=False, curvature=0, hitch_angle=0, is_of_trailer=False)
+    area=None, either_way=False, curvature=0, hitch_angle=0, is_of_trailer=False,
+    straight=0)
 
 Set of poses where a path may end: every place with every heading of the region.
 
@@ -117,12 +120,14 @@ Numbers may be pairs (first, second), which stand for all values between them.
 - `curvature`: curvature that the wheels are turned to [1/m].
 - `hitch_angle`: heading of the vehicle less that of its trailer [rad].
 - `is_of_trailer`: whether place and heading are those of the trailer's axle.
+- `straight`: length of the straight line with which a path ends, in either gear [m].
 
 Raises InputError unless either `x` and `y` or `area` are given.)");
   region
       .def(py::init(&made_region), "x"_a = py::none(), "y"_a = py::none(), "heading"_a = "any",
            py::kw_only(), "area"_a = py::none(), "either_way"_a = false, "curvature"_a = 0.0,
-           "hitch_angle"_a = 0.0, "is_of_trailer"_a = py::none(), "of_trailer"_a = py::none())
+           "hitch_angle"_a = 0.0, "is_of_trailer"_a = py::none(), "straight"_a = 0.0,
+           "of_trailer"_a = py::none())
       .def_property_readonly(
           "x", [](const GoalRegion& self) { return place_of(self, self.x); },
           "x of the axle, a number or a pair [m]; None with an area.")
@@ -143,6 +148,8 @@ Raises InputError unless either `x` and `y` or `area` are given.)");
           "Heading of the vehicle less that of its trailer: a number or a pair [rad].")
       .def_readonly("is_of_trailer", &GoalRegion::is_of_trailer,
                     "Whether place and heading are those of the trailer's axle.")
+      .def_readonly("straight", &GoalRegion::straight,
+                    "Length of the straight line with which a path ends [m].")
       .def("__eq__", [](const GoalRegion& self, const GoalRegion& other) { return self == other; })
       .def("__eq__", [](const GoalRegion&, const py::object&) { return false; })
       .def("__repr__", &text_of_region)

@@ -24,6 +24,7 @@ Interval interval_from(const val& given, const std::string& where) {
 }
 
 bool is_set(const val& given) {
+  if (has(given, "straight")) return true;
   const val axle = has(given, "trailer") ? given["trailer"] : given;
   for (const char* const key : {"any_of", "area", "either_way"}) {
     if (has(axle, key)) return true;
@@ -78,17 +79,19 @@ Interval hitch_angles_from(const val& given, const std::string& where, const Veh
 GoalRegion region_from(const val& given, const std::string& where, const Vehicle& vehicle) {
   GoalRegion region;
   if (has(given, "trailer")) {
-    allow_only(given, {"trailer", "curvature", "hitch_angles"}, where);
+    allow_only(given, {"trailer", "curvature", "hitch_angles", "straight"}, where);
     if (!vehicle.trailer) throw InputError(where + ".trailer", "is given without a trailer");
     allow_only(given["trailer"], {"x", "y", "area", "heading", "either_way"}, where + ".trailer");
     region.is_of_trailer = true;
     read_axle(given["trailer"], where + ".trailer", region);
   } else {
-    allow_only(given, {"x", "y", "area", "heading", "either_way", "curvature", "hitch_angles"},
+    allow_only(given,
+               {"x", "y", "area", "heading", "either_way", "curvature", "hitch_angles", "straight"},
                where);
     read_axle(given, where, region);
   }
   region.curvature = number_at(given, "curvature", where, 0.0);
+  region.straight = number_at(given, "straight", where, 0.0);
   if (has(given, "hitch_angles")) {
     region.hitch_angle = hitch_angles_from(given["hitch_angles"], where + ".hitch_angles", vehicle);
   }
@@ -112,10 +115,10 @@ std::vector<GoalRegion> set_from(const val& given, const Vehicle& vehicle) {
 }  // namespace
 
 Goal goal_from(const val& given, const Vehicle& vehicle) {
-  allow_only(
-      given,
-      {"x", "y", "heading", "curvature", "hitch_angles", "trailer", "area", "either_way", "any_of"},
-      "goal");
+  allow_only(given,
+             {"x", "y", "heading", "curvature", "hitch_angles", "trailer", "area", "either_way",
+              "any_of", "straight"},
+             "goal");
   if (is_set(given)) return {.end = {}, .set = set_from(given, vehicle)};
   return {.end = end_from(given, "goal", vehicle), .set = {}};
 }
