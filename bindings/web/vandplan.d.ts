@@ -68,6 +68,12 @@ export interface TrailerRegion {
 export type Goal =
   | EndPose | TrailerEnd | GoalRegion | TrailerRegion | {any_of: (GoalRegion | TrailerRegion)[]};
 
+/** What a path passes before its goal: entries as a goal, without `curvature` and `straight`. */
+export type Via = (Pose | GoalRegion | TrailerRegion | {any_of: (GoalRegion | TrailerRegion)[]}) & {
+  /** Whether the vehicle stands there, so that its gear may change and its wheels may turn. */
+  stop?: boolean;
+};
+
 /** Trailer, with the keys and units of vehicle files. */
 export interface Trailer {
   /** Distance from the hitch to the axle [m]. */
@@ -186,6 +192,8 @@ export interface Scenario {
   bounds?: {x: Point; y: Point};
   start: EndPose;
   goal: Goal;
+  /** What the path passes before the goal, in this order. */
+  via?: Via[];
   moving?: MovingObstacle[];
   /** Simple polygons that the vehicle must not touch. */
   obstacles?: Point[][];
@@ -295,6 +303,8 @@ export interface Result {
   path: Path | null;
   /** Goal that the path ends at, with its index in `any_of`; null without a set of goals. */
   goal: ({index: number} & Pose) | null;
+  /** Where the path passes each via, s metres from the start. */
+  via: ({s: number} & Pose)[];
   /** Cost of the path [m], or [s] if the cost is the time; null without a path. */
   cost: number | null;
   /** Proven lower bound on the cost of all paths; null if nothing is proven. */
@@ -356,6 +366,7 @@ export interface Claims {
 export interface Ends {
   start?: EndPose;
   goal?: Goal;
+  via?: Via[];
   vehicle?: Vehicle | string;
 }
 

@@ -62,6 +62,9 @@ struct PathClaims {
   /// the path. Without a set of goals it is ignored. If the set has no region of that index, only
   /// the pose counts.
   std::optional<ReachedGoal> goal = {};
+  /// Where the path passes the vias of the problem, within 1e-5 m and 1e-5 rad, in the frame of the
+  /// path. Empty: nothing is stated.
+  std::vector<PassedVia> via = {};
   std::optional<double> start_hitch_angle = {};  ///< hitch angle at the start [rad]
   /// Poses from end to end, at most 0.1 m apart, in the frame of the path. Empty: none is stated.
   std::vector<StatedPose> poses = {};
@@ -100,6 +103,9 @@ struct PathCheck {
   /// Goal of a set at which the path ends, in the scenario's frame. None if the path has a fault,
   /// or the problem has no set of goals.
   std::optional<ReachedGoal> goal = {};
+  /// First places where the path passes the vias of the problem, in the scenario's frame. Empty if
+  /// the path has a fault.
+  std::vector<PassedVia> via = {};
   double length = 0.0;          ///< length of the path [m]
   double reverse_length = 0.0;  ///< metres in reverse [m]
   int gear_changes = 0;         ///< number of gear changes
@@ -129,6 +135,7 @@ struct PathCheck {
 /// - Footprint and wheels keep the claimed margin.
 /// - The path ends at the goal, or at one of a set, within 1e-6 m and 1e-6 rad, with the trailer's
 ///   hitch angle within 1e-6 rad.
+/// - It passes all vias in their order, within the same tolerances.
 /// - What is claimed is true.
 [[nodiscard]] PathCheck check_path(const Problem& problem, const Path& path,
                                    const PathClaims& claims = {});

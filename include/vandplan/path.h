@@ -224,4 +224,21 @@ struct ReachedGoal {
   bool operator==(const ReachedGoal&) const = default;
 };
 
+/// What a path passes on its way to the goal: a pose of one of these regions. They ask neither for
+/// a curvature nor for a straight last stretch. The frame is that of whoever holds it.
+struct Via {
+  std::vector<GoalRegion> any_of = {};  ///< regions, of which the path passes one
+  /// Whether the vehicle stands there, so that the gear may change there, and the wheels may turn
+  /// unless the steering is `continuous`. Otherwise it drives through.
+  bool stop = false;
+  bool operator==(const Via&) const = default;
+};
+
+/// Where a path passes a via.
+struct PassedVia {
+  double s = 0.0;  ///< driven distance since the start [m]
+  Pose pose = {};  ///< pose of the vehicle there
+  bool operator==(const PassedVia&) const = default;
+};
+
 }  // namespace vandplan

@@ -72,6 +72,8 @@ struct PlanResult {
   std::optional<Path> path = {};  ///< path from the start, as it was given, to the goal
   /// The goal of a set at which the path ends. None without a path, or without a set of goals.
   std::optional<ReachedGoal> goal = {};
+  /// Where the path passes each via of the problem. Empty without a path, or without vias.
+  std::vector<PassedVia> via = {};
   double cost = 0.0;      ///< cost of the path [m], or [s] where the cost is the time
   CostOptions rule = {};  ///< prices that were minimised; all of them are set
   /// Proven lower bound of the cost of every path [m] or [s]; above 0. None: nothing is proven.

@@ -72,6 +72,7 @@ struct Scenario {
   /// Regions where the path may end. Empty: it ends at `goal`. Otherwise `goal`, `curvatures.goal`
   /// and `hitch_angles.goal` are ignored.
   std::vector<GoalRegion> goal_set = {};
+  std::vector<Via> via = {};            ///< what the path passes before the goal, in this order
   std::vector<Polygon> obstacles = {};  ///< outlines that the footprint may not touch [m]
   std::vector<Polygon> kerbs = {};      ///< outlines for the wheels alone [m]
   /// The whole body stays in one of these areas; empty: anywhere.
@@ -168,6 +169,7 @@ struct Task {
   /// a planner with `Capability::moving` sees another number than 0.
   double last_stretch = 0.0;
   std::vector<GoalRegion> goal_set = {};    ///< regions where the path may end; empty: at `goal`
+  std::vector<Via> via = {};                ///< what the path passes before the goal, in this order
   std::vector<MovingObstacle> moving = {};  ///< moving obstacles, which `checker` does not know
 };
 
@@ -193,6 +195,9 @@ class Problem {
   /// Otherwise `goal` is some pose of the set's first region.
   [[nodiscard]] const std::vector<GoalRegion>& goal_set() const noexcept { return goal_set_; }
 
+  /// What the path passes before the goal, in the scenario's frame, as it was given.
+  [[nodiscard]] const std::vector<Via>& via() const noexcept { return via_; }
+
   [[nodiscard]] const EndCurvatures& curvatures() const noexcept { return task_.curvatures; }
   [[nodiscard]] const EndHitchAngles& hitch_angles() const noexcept { return task_.hitch_angles; }
 
@@ -206,10 +211,12 @@ class Problem {
   friend Problem with_moving(Problem problem, std::span<const MovingObstacle> moving);
   friend Problem with_poses(const Problem& problem, const Pose& start, const Pose& goal);
   friend Problem with_goal_set(const Problem& problem, const std::vector<GoalRegion>& set);
+  friend Problem with_via(const Problem& problem, const std::vector<Via>& via);
 
   Pose start_;
   Pose goal_;
   std::vector<GoalRegion> goal_set_;
+  std::vector<Via> via_;
   Task task_;
 };
 
@@ -251,14 +258,19 @@ void check_map(const OccupancyGrid& map);
 [[nodiscard]] Problem with_moving(Problem problem, std::span<const MovingObstacle> moving);
 
 /// The problem with another start and goal in the scenario's frame, and straight wheels and trailer
-/// at both. It keeps the moving obstacles, but has no set of goals. Throws InputError naming
-/// "start.x", "goal" or another key.
+/// at both. It keeps the moving obstacles, but has neither a set of goals nor vias. Throws
+/// InputError naming "start.x", "goal" or another key.
 [[nodiscard]] Problem with_poses(const Problem& problem, const Pose& start, const Pose& goal);
 
 /// The problem with this set of goals in place of its goal, in the scenario's frame. Throws
 /// InputError naming "goal.x", "goal.area", "goal.any_of[2].heading" or another key when a number
 /// is out of range or an interval is crossed, or "goal.any_of" without a region.
 [[nodiscard]] Problem with_goal_set(const Problem& problem, const std::vector<GoalRegion>& set);
+
+/// The problem with these vias in place of its own, in the scenario's frame. Throws InputError
+/// naming "via[1].x", "via[0].any_of[2].heading" or another key that is wrong, as for a set of
+/// goals.
+[[nodiscard]] Problem with_via(const Problem& problem, const std::vector<Via>& via);
 
 /// The problem as planners see it, with this margin and steering. Throws InputError naming "margin"
 /// or "margin_ramp" when it is out of range.

@@ -259,22 +259,23 @@ void paint_rig(cairo_t* cairo, const Scene& scene, const State& state, const Col
   paint_vehicle(cairo, {body_outline(scene.vehicle), state.pose, colour}, view);
 }
 
-// Paints a goal set: places as areas, poses as thin outlines.
-void paint_goal_set(cairo_t* cairo, const Scene& scene, const View& view) {
-  for (const Polygon& area : scene.goal_areas) {
+// Paints some goals or vias: places as areas, poses as thin outlines.
+void paint_regions(cairo_t* cairo, const Vehicle& vehicle, const std::vector<Polygon>& areas,
+                   const std::vector<State>& states, const Colour& colour, const View& view) {
+  for (const Polygon& area : areas) {
     add_polygon(cairo, view, area);
-    set_colour(cairo, colour::goal, 0.15);
+    set_colour(cairo, colour, 0.15);
     cairo_fill_preserve(cairo);
-    stroke(cairo, 1.0, colour::goal, 0.8);
+    stroke(cairo, 1.0, colour, 0.8);
   }
-  for (const State& goal : scene.goals) {
-    if (scene.vehicle.trailer) {
+  for (const State& state : states) {
+    if (vehicle.trailer) {
       add_polygon(cairo, view,
-                  placed(body_outline(*scene.vehicle.trailer), trailer_pose(scene.vehicle, goal)));
-      stroke(cairo, 0.8, colour::goal, 0.5);
+                  placed(body_outline(*vehicle.trailer), trailer_pose(vehicle, state)));
+      stroke(cairo, 0.8, colour, 0.5);
     }
-    add_polygon(cairo, view, placed(body_outline(scene.vehicle), goal.pose));
-    stroke(cairo, 0.8, colour::goal, 0.5);
+    add_polygon(cairo, view, placed(body_outline(vehicle), state.pose));
+    stroke(cairo, 0.8, colour, 0.5);
   }
 }
 
@@ -327,7 +328,9 @@ void paint_scene(cairo_t* cairo, const Scene& scene, const View& view) {
   paint_tree(cairo, scene, view);
   if (scene.path && scene.margin > 0.0) paint_margin(cairo, scene, view);
   if (scene.path) paint_sweep(cairo, scene, view);
-  paint_goal_set(cairo, scene, view);
+  const Vehicle& vehicle = scene.vehicle;
+  paint_regions(cairo, vehicle, scene.via_areas, scene.vias, colour::faint_ink, view);
+  paint_regions(cairo, vehicle, scene.goal_areas, scene.goals, colour::goal, view);
   paint_rig(cairo, scene, {scene.goal, scene.hitch_angles.goal}, colour::goal, view);
   paint_rig(cairo, scene, {scene.start, scene.hitch_angles.start}, colour::start, view);
   for (const Polygon& polygon : scene.hit) {

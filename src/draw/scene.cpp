@@ -115,6 +115,7 @@ Bounds surroundings_of_path(const Scene& scene) {
   add_vehicle(scene.start);
   add_vehicle(scene.goal);
   for (const State& goal : scene.goals) add_vehicle(goal.pose);
+  for (const State& via : scene.vias) add_vehicle(via.pose);
   for (const Polygon& area : scene.goal_areas)
     points.insert(points.end(), area.begin(), area.end());
   if (scene.vehicle.trailer) {
@@ -211,6 +212,24 @@ std::vector<Polygon> outline_of(const Scenario& scenario, const Hit& hit) {
   return {placed({{-half, -half}, {half, -half}, {half, half}, {-half, half}}, middle)};
 }
 
+namespace {
+
+/// Adds areas and some poses of regions, moved to `origin`.
+void add_regions(const Vehicle& vehicle, const std::vector<GoalRegion>& regions,
+                 const Point& origin, std::vector<Polygon>& areas, std::vector<State>& poses) {
+  for (const GoalRegion& region : regions) {
+    if (const Polygon area = area_of(region); !area.empty()) {
+      areas.push_back(moved(std::vector<Polygon>{area}, origin).front());
+    }
+    for (State state : goals_of(vehicle, region)) {
+      state.pose = moved(state.pose, origin, "goal");
+      poses.push_back(state);
+    }
+  }
+}
+
+}  // namespace
+
 Scene scene_of(const Drawing& drawing) {
   if (drawing.scenario == nullptr) throw InputError("scenario", "is missing");
   const Scenario& scenario = *drawing.scenario;
@@ -224,14 +243,10 @@ Scene scene_of(const Drawing& drawing) {
   scene.start = moved(scenario.start, scene.origin, "start");
   scene.goal = moved(scenario.goal, scene.origin, "goal");
   scene.hitch_angles = scenario.hitch_angles;
-  for (const GoalRegion& region : scenario.goal_set) {
-    if (Polygon area = area_of(region); !area.empty()) scene.goal_areas.push_back(std::move(area));
-    for (State goal : goals_of(scenario.vehicle, region)) {
-      goal.pose = moved(goal.pose, scene.origin, "goal");
-      scene.goals.push_back(goal);
-    }
+  add_regions(scenario.vehicle, scenario.goal_set, scene.origin, scene.goal_areas, scene.goals);
+  for (const Via& via : scenario.via) {
+    add_regions(scenario.vehicle, via.any_of, scene.origin, scene.via_areas, scene.vias);
   }
-  scene.goal_areas = moved(std::move(scene.goal_areas), scene.origin);
   scene.obstacles = moved(scenario.obstacles, scene.origin);
   scene.kerbs = moved(scenario.kerbs, scene.origin);
   scene.inside = moved(scenario.inside, scene.origin);

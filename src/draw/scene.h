@@ -25,6 +25,8 @@ struct Scene {
   Pose start;
   Pose goal;
   EndHitchAngles hitch_angles;      ///< Used if the vehicle has a trailer.
+  std::vector<Polygon> via_areas;   ///< Areas of vias where the midpoint of an axle may be.
+  std::vector<State> vias;          ///< Some poses of vias.
   std::vector<Polygon> goal_areas;  ///< Areas of a goal set where the midpoint of an axle may be.
   std::vector<State> goals;         ///< Some poses of a goal set; empty if `goal` is the only goal.
   std::vector<Polygon> obstacles;

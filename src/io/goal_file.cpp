@@ -78,17 +78,18 @@ void read_axle(const Document& file, const Node& node, GoalRegion& region) {
   if (either_way != nullptr) region.either_way = file.truth(*either_way);
 }
 
+/// Reads a region; `stop` of a via may stand beside its keys.
 GoalRegion region_from(const Document& file, const Node& node, const Vehicle& vehicle) {
   GoalRegion region;
   if (const Node* const trailer = file.find(node, "trailer")) {
-    file.allow_only(node, {"trailer", "curvature", "hitch_angles", "straight"});
+    file.allow_only(node, {"trailer", "curvature", "hitch_angles", "straight", "stop"});
     expect_trailer(file, *trailer, vehicle, "is");
     file.allow_only(*trailer, {"x", "y", "area", "heading", "either_way"});
     region.is_of_trailer = true;
     read_axle(file, *trailer, region);
   } else {
-    file.allow_only(
-        node, {"x", "y", "area", "heading", "either_way", "curvature", "hitch_angles", "straight"});
+    file.allow_only(node, {"x", "y", "area", "heading", "either_way", "curvature", "hitch_angles",
+                           "straight", "stop"});
     read_axle(file, node, region);
   }
   region.curvature = curvature_from(file, node);
@@ -105,11 +106,27 @@ GoalRegion region_from(const Document& file, const Node& node, const Vehicle& ve
 std::vector<const Node*> entries_of(const Document& file, const Node& node) {
   const Node* const any_of = file.find(node, "any_of");
   if (any_of == nullptr) return {&node};
-  file.allow_only(node, {"any_of"});
+  file.allow_only(node, {"any_of", "stop"});
   std::vector<const Node*> entries;
   for (const Node& item : file.list(*any_of, "a list of goals")) entries.push_back(&item);
   if (entries.empty()) file.fail(*any_of, "is empty, expected at least one goal");
   return entries;
+}
+
+void expect_no_stop(const Document& file, const Node& node) {
+  if (const Node* const stop = file.find(node, "stop")) {
+    file.fail(*stop, "is given, expected it for entries of via alone");
+  }
+}
+
+std::vector<GoalRegion> regions_from(const Document& file, const Node& node,
+                                     const Vehicle& vehicle) {
+  std::vector<GoalRegion> set;
+  for (const Node* const entry : entries_of(file, node)) {
+    if (entry != &node) expect_no_stop(file, *entry);
+    set.push_back(region_from(file, *entry, vehicle));
+  }
+  return set;
 }
 
 std::string yaml_of(const Interval& interval) {
@@ -178,11 +195,18 @@ bool is_goal_set(const Document& file, const Node& node) {
 
 std::vector<GoalRegion> goal_set_from(const Document& file, const Node& node,
                                       const Vehicle& vehicle) {
-  std::vector<GoalRegion> set;
-  for (const Node* const entry : entries_of(file, node)) {
-    set.push_back(region_from(file, *entry, vehicle));
+  expect_no_stop(file, node);
+  return regions_from(file, node, vehicle);
+}
+
+std::vector<Via> via_from(const Document& file, const Node& node, const Vehicle& vehicle) {
+  std::vector<Via> all;
+  for (const Node& item : file.list(node, "a list of what the path passes")) {
+    const Node* const stop = file.find(item, "stop");
+    all.push_back({.any_of = regions_from(file, item, vehicle),
+                   .stop = stop != nullptr && file.truth(*stop)});
   }
-  return set;
+  return all;
 }
 
 void warn_of_degrees(const Document& file, const Node& node, std::vector<std::string>& warnings) {
@@ -219,6 +243,20 @@ std::string yaml_of(const std::vector<GoalRegion>& set) {
   if (is_alone) return " " + yaml_of(set.front()) + "\n";
   std::string text = "\n  any_of:\n";
   for (const GoalRegion& region : set) text += fmt::format("    - {}\n", yaml_of(region));
+  return text;
+}
+
+std::string yaml_of(const std::vector<Via>& via) {
+  std::string text = via.empty() ? "" : "via:\n";
+  for (const auto& [any_of, stop] : via) {
+    std::string entries;
+    for (const GoalRegion& region : any_of) {
+      entries += (entries.empty() ? "" : ", ") + yaml_of(region);
+    }
+    std::string entry = any_of.size() == 1 ? entries : fmt::format("{{any_of: [{}]}}", entries);
+    if (stop) entry.insert(entry.size() - 1, ", stop: true");
+    text += fmt::format("  - {}\n", entry);
+  }
   return text;
 }
 

@@ -34,11 +34,16 @@ struct End {
 /// Headings from a number, from [first, last], or from `any`.
 [[nodiscard]] HeadingRange headings_from(const Document& file, const Node& node);
 
+/// Entries of `via`: sets of goals, each with `stop`.
+[[nodiscard]] std::vector<Via> via_from(const Document& file, const Node& node,
+                                        const Vehicle& vehicle);
+
 /// Adds a warning for each heading of a start or goal that looks like degrees.
 void warn_of_degrees(const Document& file, const Node& node, std::vector<std::string>& warnings);
 
 [[nodiscard]] std::string yaml_of(const HeadingRange& range);
 [[nodiscard]] std::string yaml_of(const End& end);
 [[nodiscard]] std::string yaml_of(const std::vector<GoalRegion>& set);
+[[nodiscard]] std::string yaml_of(const std::vector<Via>& via);
 
 }  // namespace vandplan::io

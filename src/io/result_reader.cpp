@@ -195,6 +195,17 @@ std::optional<ReachedGoal> goal_from(const Document& file, const Node& node) {
   return ReachedGoal{file.count(*index), pose_from(file, *goal)};
 }
 
+/// Places where the path passes the scenario's vias.
+std::vector<PassedVia> via_from(const Document& file, const Node& node) {
+  std::vector<PassedVia> passed;
+  const Node* const via = file.find(node, "via");
+  if (via == nullptr) return passed;
+  for (const Node& item : file.list(*via, "a list of places")) {
+    passed.push_back({file.number(file.at(item, "s")), pose_from(file, item)});
+  }
+  return passed;
+}
+
 /// Scenario, planner and seed of a result.
 ResultRecord run_from(const Document& file, const Node& node) {
   ResultRecord record;
@@ -262,6 +273,7 @@ ResultRecord record_from(const Document& file, const Node& node, double radius,
     }
     record.claims = claims_from(file, node, lists);
     record.claims.goal = result.goal = goal_from(file, node);
+    record.claims.via = result.via = via_from(file, node);
     read_rules(file, node, record);
     record.claims.cost = cost_from(file, node, record);
   }

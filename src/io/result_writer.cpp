@@ -240,6 +240,14 @@ Json json_of(const ReachedGoal& goal) {
           {"heading", goal.pose.heading}};
 }
 
+Json json_of(const std::vector<PassedVia>& passed) {
+  Json list = Json::array();
+  for (const auto& [s, pose] : passed) {
+    list.push_back({{"s", s}, {"x", pose.x}, {"y", pose.y}, {"heading", pose.heading}});
+  }
+  return list;
+}
+
 Json heading_of(const ResultRecord& record) {
   return {{"format", "vandplan-result/1"},
           {"scenario", record.scenario},
@@ -265,6 +273,7 @@ Json Results::json_of_record(const Vehicle& vehicle, double hitch_angle,
     json["gear_changes"] = gear_changes(result.path->segments);
     if (result.speeds) json["duration"] = result.speeds->duration;
     if (result.goal) json["goal"] = json_of(*result.goal);
+    if (!result.via.empty()) json["via"] = json_of(result.via);
     if (result.check) {
       json["reverse_length"] = result.check->reverse_length;
       // JSON has no infinity, the clearance without obstacles.

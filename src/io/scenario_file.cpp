@@ -155,14 +155,22 @@ void read_ground(const Document& file, const std::string& where, const Map& know
   scenario.obstacles = polygons_from(file, file.at(root, "obstacles"));
 }
 
+void read_via(const Document& file, bool is_row, ScenarioFile& result) {
+  const Node* const via = file.find(file.root(), "via");
+  if (via == nullptr) return;
+  if (is_row) file.fail(*via, "is given beside goals, expected it beside goal");
+  result.scenario.via = via_from(file, *via, result.scenario.vehicle);
+  for (const Node& item : via->items) warn_of_degrees(file, item, result.warnings);
+}
+
 ScenarioFile scenario_from(const Document& file, const std::string& where, const Map& map) {
   const Node& root = file.root();
   if (const Node* const image = file.find(root, "image")) {
     file.fail(*image, "belongs into a map, expected a scenario that names this file as its map");
   }
-  file.allow_only(
-      root, {"name", "description", "vehicle", "bounds", "start", "goal", "goals", "obstacles",
-             "kerbs", "inside", "zones", "map", "unknown", "masks", "moving", "options", "origin"});
+  file.allow_only(root, {"name", "description", "vehicle", "bounds", "start", "goal", "goals",
+                         "via", "obstacles", "kerbs", "inside", "zones", "map", "unknown", "masks",
+                         "moving", "options", "origin"});
   const Node* const goals = file.find(root, "goals");
   const Node* const goal = file.find(root, "goal");
   if (goals != nullptr && goal != nullptr) {
@@ -189,6 +197,7 @@ ScenarioFile scenario_from(const Document& file, const std::string& where, const
   } else {
     end = goal_from(file, *goal, scenario.vehicle);
   }
+  read_via(file, goals != nullptr, result);
   scenario.start = start.pose;
   scenario.goal = end.pose;
   scenario.curvatures = {start.curvature, end.curvature};
@@ -354,6 +363,7 @@ std::string to_yaml(const ScenarioFile& file) {
   } else {
     text += fmt::format("goal: {}\n", yaml_of(End{scenario.goal, goal_curvature, goal_angle}));
   }
+  text += yaml_of(scenario.via);
   for (const RowGoal& goal : file.row) {
     text += fmt::format("  - distance: {}\n    goal: {}\n    obstacles:{}", goal.distance,
                         yaml_of(End{goal.goal, goal.curvature, goal.hitch_angle}),

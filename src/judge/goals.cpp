@@ -55,8 +55,14 @@ Real clamped(Real value, const Interval& interval) {
   return std::clamp<Real>(value, interval.least, interval.most);
 }
 
+/// Nearest place to `p` in a region.
+Spot nearest_in(const GoalRegion& region, const Spot& p) {
+  if (!region.area.empty()) return nearest_in(region.area, p);
+  return {clamped(p.x, region.x), clamped(p.y, region.y)};
+}
+
 /// Turn from `heading` to the nearest heading of `range` plus `turned` [rad].
-Real turn_into(const HeadingRange& range, Real heading, Real turned) {
+Real turn_into_range(const HeadingRange& range, Real heading, Real turned) {
   Real width = static_cast<Real>(range.to) - range.from;
   if (width < 0) width += full_turn * std::ceil(-width / full_turn);
   const Real half = width / 2;
@@ -98,6 +104,21 @@ Real distance_from(const Polygon& area, Real x, Real y) {
   return distance(nearest_in(area, {x, y}), {x, y});
 }
 
+Real turn_into(const GoalRegion& region, Real heading) {
+  const Real ahead = turn_into_range(region.heading, heading, 0);
+  const Real back = turn_into_range(region.heading, heading, full_turn / 2);
+  return region.either_way && std::abs(back) < std::abs(ahead) ? back : ahead;
+}
+
+Real distance_from(const GoalRegion& region, Real x, Real y) {
+  return distance(nearest_in(region, {x, y}), {x, y});
+}
+
+Real fold_into(const GoalRegion& region, Real angle) {
+  const Real fold = std::remainder(angle, full_turn);
+  return clamped(fold, region.hitch_angle) - fold;
+}
+
 Goal nearest_goal(const Task& task, const Track& track, const Trailing* trailing, bool wheels_count,
                   std::optional<std::size_t> only) {
   const Place end{track.stretches.size() - 1, track.stretches.back().length};
@@ -113,12 +134,8 @@ Goal nearest_goal(const Task& task, const Track& track, const Trailing* trailing
     const bool is_of_trailer = region.is_of_trailer && trailing != nullptr;
     const Position axle = is_of_trailer ? trailing->position(end) : track.end;
     const Spot place{axle.x, axle.y};
-    const Spot goal = region.area.empty()
-                          ? Spot{clamped(place.x, region.x), clamped(place.y, region.y)}
-                          : nearest_in(region.area, place);
-    const Real ahead = turn_into(region.heading, axle.heading, 0);
-    const Real back = turn_into(region.heading, axle.heading, full_turn / 2);
-    const Real turn = region.either_way && std::abs(back) < std::abs(ahead) ? back : ahead;
+    const Spot goal = nearest_in(region, place);
+    const Real turn = turn_into(region, axle.heading);
     const Real fold = std::remainder(angle, full_turn);
     const Real hitch_angle = clamped(fold, region.hitch_angle);
     const Real off = beyond(distance(goal, place)) + beyond(turn) + beyond(hitch_angle - fold) +

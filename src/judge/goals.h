@@ -25,6 +25,15 @@ struct Goal {
 /// Distance of a place from a closed polygon [m]; 0 inside.
 [[nodiscard]] Real distance_from(const Polygon& area, Real x, Real y);
 
+/// Distance of a place from the places of a region [m]; 0 inside.
+[[nodiscard]] Real distance_from(const GoalRegion& region, Real x, Real y);
+
+/// Smallest turn from a heading to a heading of a region [rad].
+[[nodiscard]] Real turn_into(const GoalRegion& region, Real heading);
+
+/// Turn from a hitch angle to the nearest one of a region [rad].
+[[nodiscard]] Real fold_into(const GoalRegion& region, Real angle);
+
 /// Nearest goal to the end of a track: in region number `only`, or in any region of a non-empty
 /// set. The error of a goal is the sum of what exceeds the judge's tolerance: in distance [m], in
 /// angles [rad], in length of the straight last stretch [m] and, if `wheels_count`, in curvature

@@ -18,6 +18,7 @@
 #include "judge/steering.h"
 #include "judge/text.h"
 #include "judge/track.h"
+#include "judge/vias.h"
 #include "judge/zones.h"
 
 namespace vandplan {
@@ -304,6 +305,26 @@ std::optional<Fault> bent_end(const GoalRegion& region, const Goal& goal, const 
                end};
 }
 
+/// Fault of a path that does not pass a via behind those before it.
+std::optional<Fault> missed_via(const Task& task, const Track& track, const Passings& passed) {
+  const std::size_t i = passed.places.size();
+  if (i == task.via.size()) return std::nullopt;
+  return Fault{text("the path does not pass via[%zu]%s", i,
+                    i > 0 ? text(" behind via[%zu]", i - 1).c_str() : ""),
+               end_of(track)};
+}
+
+/// Places of a track as somebody states them.
+std::vector<PassedVia> stated_places(const Task& task, const Track& track,
+                                     const std::vector<Place>& places) {
+  std::vector<PassedVia> passed;
+  for (const Place& place : places) {
+    const PathPoint point = point_at(track, place);
+    passed.push_back({point.s, to_scenario(*task.world, Local(point.pose))});
+  }
+  return passed;
+}
+
 /// The goal to which a path is compared: in the claimed region if it exists, else the nearest.
 Goal goal_of(const Task& task, const Track& track, const Trailing* trailing,
              const PathClaims& claims) {
@@ -323,10 +344,12 @@ Task with_goal(const Task& task, const Goal& goal) {
 
 /// First fault of a path, and its least clearance [m]. `trailing` is null without a trailer.
 std::optional<Fault> first_fault(const Task& task, const Track& track, const Trailing* trailing,
-                                 const PathClaims& claims, std::optional<double>& least) {
+                                 const Passings& passed, const PathClaims& claims,
+                                 std::optional<double>& least) {
   if (auto f = off_pose(track.stretches[0].start, task.start, "begins", {0, 0})) return f;
   if (auto f = too_tight(track, task.vehicle.min_turning_radius)) return f;
-  if (auto f = false_steering(track, task, claims.steering)) return Fault{f->reason, f->place};
+  if (auto f = false_steering(track, task, claims.steering, passed.stops))
+    return Fault{f->reason, f->place};
   if (auto f = wrong_gear(track, claims.gears)) return f;
   if (auto f = out_of_bounds(track, task.world->local().bounds)) return f;
   if (auto f = begins_outside(track, trailing, task.world->local().inside)) return f;
@@ -349,6 +372,8 @@ std::optional<Fault> first_fault(const Task& task, const Track& track, const Tra
     const double wanted = task.hitch_angles.goal;
     if (auto f = off_hitch_angle(trailing->end_angle(), wanted, "ends", end_of(track))) return f;
   }
+  if (auto f = missed_via(task, track, passed)) return f;
+  if (auto f = false_passings(task, track, trailing, claims.via)) return Fault{*f, {}};
   Found found{.has_jerk_limit = task.vehicle.limits.max_jerk.has_value()};
   if (claims.cost && claims.cost->rule.measure == CostMeasure::time) {
     find_times(task, track, trailing, found);
@@ -371,6 +396,7 @@ constexpr std::array<std::string_view, 7> names_of_kinds = {"obstacles", "kerbs"
 PathClaims local_claims(const World& world, const PathClaims& claims) {
   PathClaims local = claims;
   if (local.goal) local.goal->pose = to_local(world, local.goal->pose);
+  for (PassedVia& stated : local.via) stated.pose = to_local(world, stated.pose);
   for (StatedPose& stated : local.poses) stated.pose = to_local(world, stated.pose);
   return local;
 }
@@ -412,17 +438,19 @@ PathCheck check_path(const Problem& problem, const Path& path, const PathClaims&
   }
   const Trailing* const trailer = trailing ? &*trailing : nullptr;
   const PathClaims local = local_claims(world, claims);
+  const Passings passed = passings(*task, track, trailer, local.steering);
   std::optional<Fault> fault;
   if (task->goal_set.empty()) {
-    fault = first_fault(*task, track, trailer, local, check.clearance);
+    fault = first_fault(*task, track, trailer, passed, local, check.clearance);
   } else {
     const Goal goal = goal_of(*task, track, trailer, local);
-    fault = first_fault(with_goal(*task, goal), track, trailer, local, check.clearance);
+    fault = first_fault(with_goal(*task, goal), track, trailer, passed, local, check.clearance);
     if (!fault) fault = bent_end(task->goal_set[goal.index], goal, end_of(track));
     if (!fault) fault = false_goal(goal, local.goal);
     if (!fault) check.goal = ReachedGoal{goal.index, to_scenario(world, Local(goal.pose))};
   }
   check.valid = !fault;
+  if (!fault) check.via = stated_places(*task, track, passed.places);
   if (!fault) return check;
   check.reason = fault->reason;
   check.hit = fault->hit;

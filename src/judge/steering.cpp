@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "judge/steering.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "judge/text.h"
@@ -30,8 +31,17 @@ SteeringFault jump(const char* where, Real before, Real after, const Place& plac
 
 }  // namespace
 
-std::optional<SteeringFault> false_steering(const Track& track, const Task& task,
-                                            Steering claimed) {
+bool jumps_rolling(const Track& track, const Vehicle& vehicle, std::size_t i) {
+  if (i == 0) return false;
+  const Stretch& before = track.stretches[i - 1];
+  const Stretch& after = track.stretches[i];
+  if (before.direction != after.direction) return false;
+  const Real jump = after.curvature - curvature_at(before, before.length);
+  return std::abs(jump) > rounding / vehicle.min_turning_radius;
+}
+
+std::optional<SteeringFault> false_steering(const Track& track, const Task& task, Steering claimed,
+                                            std::span<const Place> stops) {
   if (claimed == Steering::reeds_shepp) return std::nullopt;
   const bool is_throughout = claimed == Steering::continuous;
   const Real allowed_jump = rounding / task.vehicle.min_turning_radius;
@@ -43,7 +53,8 @@ std::optional<SteeringFault> false_steering(const Track& track, const Task& task
     const Stretch& stretch = track.stretches[i];
     const Place place{i, 0};
     const bool changes_gear = i > 0 && stretch.direction != track.stretches[i - 1].direction;
-    const bool stands = i == 0 || changes_gear;
+    const auto is_here = [i](const Place& stop) { return stop.stretch == i && stop.t == 0; };
+    const bool stands = i == 0 || changes_gear || std::any_of(stops.begin(), stops.end(), is_here);
     if (stands) jumped = 0;
     if (!stands || is_throughout) jumped += std::abs(stretch.curvature - before);
     if (jumped > allowed_jump) {

@@ -4,6 +4,7 @@
 // Do the wheels turn as the claimed steering allows?
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "judge/track.h"
@@ -18,8 +19,13 @@ struct SteeringFault {
 };
 
 /// First fault of a path's curvature under the claimed steering; none if there is none. It is a
-/// forbidden jump, a change faster than the vehicle can, or a wrong curvature at an end.
+/// forbidden jump, a change faster than the vehicle can, or a wrong curvature at an end. `stops`:
+/// places where the vehicle stands though it does not change gear.
 [[nodiscard]] std::optional<SteeringFault> false_steering(const Track& track, const Task& task,
-                                                          Steering claimed);
+                                                          Steering claimed,
+                                                          std::span<const Place> stops);
+
+/// Whether the curvature jumps at the begin of stretch `i`, where the gear goes on.
+[[nodiscard]] bool jumps_rolling(const Track& track, const Vehicle& vehicle, std::size_t i);
 
 }  // namespace vandplan::judge

@@ -18,6 +18,7 @@ namespace problem {
 namespace {
 
 constexpr std::size_t most_regions = 10'000;
+constexpr std::size_t most_vias = 100;
 constexpr double longest_straight = 1000.0;  // longest straight last stretch [m]
 
 void check_interval(const Interval& interval, const std::string& where) {
@@ -76,15 +77,40 @@ Interval moved(const Interval& interval, double by) {
 
 }  // namespace
 
-void check_goal_set(const std::vector<GoalRegion>& set, const Vehicle& vehicle, const Pose& start) {
+void check_goal_set(const std::vector<GoalRegion>& set, const Vehicle& vehicle, const Pose& start,
+                    const std::string& where) {
   if (set.empty() || set.size() > most_regions) {
-    throw InputError("goal.any_of", "has " + std::to_string(set.size()) + " goals, expected 1 to " +
-                                        std::to_string(most_regions));
+    throw InputError(where + ".any_of", "has " + std::to_string(set.size()) +
+                                            " goals, expected 1 to " +
+                                            std::to_string(most_regions));
   }
   for (std::size_t i = 0; i < set.size(); ++i) {
     const std::string number = set.size() == 1 ? "" : ".any_of[" + std::to_string(i) + "]";
-    check_region(set[i], vehicle, start, "goal" + number);
+    check_region(set[i], vehicle, start, where + number);
   }
+}
+
+void check_via(const std::vector<Via>& via, const Vehicle& vehicle, const Pose& start) {
+  if (via.size() > most_vias) {
+    throw InputError("via", "has " + std::to_string(via.size()) + " entries, expected at most " +
+                                std::to_string(most_vias));
+  }
+  for (std::size_t i = 0; i < via.size(); ++i) {
+    const std::string where = "via[" + std::to_string(i) + "]";
+    check_goal_set(via[i].any_of, vehicle, start, where);
+    for (const GoalRegion& region : via[i].any_of) {
+      const char* const key = region.straight != 0.0    ? ".straight"
+                              : region.curvature != 0.0 ? ".curvature"
+                                                        : nullptr;
+      if (key != nullptr) throw InputError(where + key, "is given, expected it for goals alone");
+    }
+  }
+}
+
+std::vector<Via> local_via(const std::vector<Via>& via, const Point& origin) {
+  std::vector<Via> local = via;
+  for (Via& one : local) one.any_of = local_goal_set(one.any_of, origin);
+  return local;
 }
 
 std::vector<GoalRegion> local_goal_set(const std::vector<GoalRegion>& set, const Point& origin) {

@@ -3,6 +3,7 @@
 #pragma once
 // Which sets of goals are valid, and which poses do they hold?
 
+#include <string>
 #include <vector>
 
 #include "vandplan/problem.h"
@@ -11,8 +12,16 @@ namespace vandplan::problem {
 
 /// Checks a set of goals in the scenario's frame. Throws InputError naming "goal.x",
 /// "goal.any_of[2].heading" or another key when the set holds no region, a number is out of range,
-/// an interval is crossed, or a region is more than 100 km from the start.
-void check_goal_set(const std::vector<GoalRegion>& set, const Vehicle& vehicle, const Pose& start);
+/// an interval is crossed, or a region is more than 100 km from the start. `where`: key of the set.
+void check_goal_set(const std::vector<GoalRegion>& set, const Vehicle& vehicle, const Pose& start,
+                    const std::string& where = "goal");
+
+/// Checks vias in the scenario's frame, as sets of goals. Throws InputError naming "via[1].x" or
+/// another key.
+void check_via(const std::vector<Via>& via, const Vehicle& vehicle, const Pose& start);
+
+/// Checked vias moved into the frame of `origin`.
+[[nodiscard]] std::vector<Via> local_via(const std::vector<Via>& via, const Point& origin);
 
 /// A checked set moved into the frame of `origin`; corners of areas are counter-clockwise.
 [[nodiscard]] std::vector<GoalRegion> local_goal_set(const std::vector<GoalRegion>& set,

@@ -60,6 +60,7 @@ void expect_made(const Problem& problem) {
 
 /// Checks poses, curvatures and hitch angles of start and goal, or the set of goals.
 void check_ends(const Scenario& scenario) {
+  problem::check_via(scenario.via, scenario.vehicle, scenario.start);
   if (!scenario.goal_set.empty()) {
     problem::check_goal_set(scenario.goal_set, scenario.vehicle, scenario.start);
     problem::check_curvature(scenario.curvatures.start, scenario.vehicle, "start.curvature");
@@ -193,7 +194,8 @@ Problem make_problem(const Scenario& scenario) {
   problem::check_pose(scenario.start, "start");
   auto world = std::make_shared<const World>(surroundings(scenario),
                                              Point{scenario.start.x, scenario.start.y});
-  return with_moving(at_goal_of(scenario, std::move(world)), scenario.moving);
+  const Problem made = with_via(at_goal_of(scenario, std::move(world)), scenario.via);
+  return with_moving(made, scenario.moving);
 }
 
 Problem make_problem(std::shared_ptr<const World> world, const Vehicle& vehicle, const Pose& start,
@@ -239,6 +241,15 @@ Problem with_goal_set(const Problem& problem, const std::vector<GoalRegion>& set
   other.task_.curvatures.goal = set.front().curvature;
   other.task_.hitch_angles.goal = some.hitch_angle;
   other.task_.goal_set = problem::local_goal_set(set, problem.world()->origin());
+  return other;
+}
+
+Problem with_via(const Problem& problem, const std::vector<Via>& via) {
+  expect_made(problem);
+  problem::check_via(via, problem.vehicle(), problem.start());
+  Problem other = problem;
+  other.via_ = via;
+  other.task_.via = problem::local_via(via, problem.world()->origin());
   return other;
 }
 

@@ -95,6 +95,47 @@ TEST(GoalFile, WritesWhatItReads) {
             read.scenario.goal_set);
 }
 
+// ---- What the path passes before the goal ----
+
+std::vector<Via> via_of(const std::string& via) {
+  const std::string text = file_with("{x: 40, y: 0, heading: 0}") + "via: " + via + "\n";
+  const ScenarioFile read = scenario_from_yaml(text, "s.yaml");
+  EXPECT_EQ(scenario_from_yaml(to_yaml(read), "again.yaml").scenario.via, read.scenario.via);
+  return read.scenario.via;
+}
+
+std::string error_for_via(const std::string& via) {
+  try {
+    (void)via_of(via);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(GoalFile, ReadsWhatThePathPasses) {
+  const GoalRegion pose = region_of_pose({10, 0, 0});
+  GoalRegion any = region_of_pose({20, 5, 0});
+  any.heading = any_heading;
+  EXPECT_TRUE(via_of("[]").empty());
+  const std::vector<Via> two = {{{pose}, false}, {{any}, true}};
+  EXPECT_EQ(via_of("[{x: 10, y: 0, heading: 0}, {x: 20, y: 5, heading: any, stop: true}]"), two);
+  const std::vector<Via> either = {{{pose, any}, true}};
+  EXPECT_EQ(via_of("[{any_of: [{x: 10, y: 0, heading: 0}, {x: 20, y: 5, heading: any}], "
+                   "stop: true}]"),
+            either);
+  EXPECT_EQ(error_for_via("[{x: 10, y: 0}]"),
+            "s.yaml:7: via[0]: key \"heading\" is missing, expected it");
+  EXPECT_EQ(error_for_via("[{x: 10, y: 0, heading: 0, stop: maybe}]"),
+            "s.yaml:7: via[0].stop: is \"maybe\", expected true or false");
+  EXPECT_EQ(error_for_via("[{x: 10, y: 0, heading: 0, straight: 8}]"),
+            "s.yaml:7: via[0].straight: is given, expected it for goals alone");
+  EXPECT_EQ(error_for_via("[{x: [3, 2], y: 0, heading: 0}]"),
+            "s.yaml:7: via[0].x: is [3, 2], expected the smaller number first");
+  EXPECT_EQ(error_for("{x: 1, y: 2, heading: any, stop: true}"),
+            "s.yaml:5: goal.stop: is given, expected it for entries of via alone");
+}
+
 TEST(GoalFile, SaysWhatIsWrong) {
   EXPECT_EQ(error_for("{x: [3, 2], y: 2, heading: 0}"),
             "s.yaml:5: goal.x: is [3, 2], expected the smaller number first");

@@ -210,7 +210,8 @@ std::string drive(const Look& look, const Vehicle& vehicle, const Segment& segme
 
 // ---- Sets of goals ----
 
-bool is_of_region(const Scenario& scenario, const GoalRegion& region, const Drive& at) {
+bool is_of_region(const Scenario& scenario, const GoalRegion& region, const Drive& at,
+                  Real slack = allowed_miss, Real turn_slack = allowed_miss) {
   Vector place = at.place;
   Real heading = at.heading;
   if (region.is_of_trailer) {
@@ -231,8 +232,47 @@ bool is_of_region(const Scenario& scenario, const GoalRegion& region, const Driv
   const Real fold = std::remainder(at.angle, 2 * pi);
   const bool is_folded =
       scenario.vehicle.trailer &&
-      !(beyond(fold, region.hitch_angle.least, region.hitch_angle.most) <= allowed_miss);
-  return off <= allowed_miss && turn <= allowed_miss && !is_folded;
+      !(beyond(fold, region.hitch_angle.least, region.hitch_angle.most) <= turn_slack);
+  return off <= slack && turn <= turn_slack && !is_folded;
+}
+
+/// Passes the vias that come next, as far as steps of `part` metres show.
+void pass(const Scenario& scenario, const Drive& at, Real part, Real steepest, std::size_t& next) {
+  const Vehicle& vehicle = scenario.vehicle;
+  Real pace = steepest;
+  if (vehicle.trailer) {
+    pace += (1 + std::abs(Real{vehicle.hitch}) * steepest) / vehicle.trailer->wheelbase;
+  }
+  const auto is_passed = [&](const GoalRegion& region) {
+    return is_of_region(scenario, region, at, part * 2 + allowed_miss, part * pace + allowed_miss);
+  };
+  while (next < scenario.via.size() && std::any_of(scenario.via[next].any_of.begin(),
+                                                   scenario.via[next].any_of.end(), is_passed)) {
+    ++next;
+  }
+}
+
+/// The first via that a path does not pass, or empty: looks every millimetre.
+std::string flaw_of_vias(const Scenario& scenario, const Path& path) {
+  Drive at{{}, scenario.start.heading, scenario.hitch_angles.start};
+  std::size_t next = 0;
+  pass(scenario, at, 0, 0, next);
+  for (const Segment& segment : path.segments) {
+    const Real length = std::abs(Real{segment.length});
+    const Real last = segment.curvature + segment.curvature_rate * length;
+    const Real steepest = std::max(std::abs(Real{segment.curvature}), std::abs(last));
+    const auto steps = 1 + static_cast<long>(std::min<Real>(length / 1e-3L, 100'000));
+    const Real part = Real{segment.length} / steps;
+    for (long i = 0; i < steps && next < scenario.via.size(); ++i) {
+      const Real curvature = segment.curvature + segment.curvature_rate * std::abs(part) * i;
+      if (scenario.vehicle.trailer) {
+        at.fold(scenario.vehicle, curvature, segment.curvature_rate, part);
+      }
+      at.step(curvature, segment.curvature_rate, part);
+      pass(scenario, at, std::abs(part), steepest, next);
+    }
+  }
+  return next == scenario.via.size() ? "" : "does not pass via " + std::to_string(next);
 }
 
 /// Length of the straight line in one gear at the end of a path, which may turn by a microradian.
@@ -276,6 +316,7 @@ std::string naive_flaw(const Scenario& scenario, const Path& path) {
     if (!flaw.empty()) return flaw;
   }
   if (std::string flaw = naive_look_at_zones(scenario, path).flaw; !flaw.empty()) return flaw;
+  if (std::string flaw = flaw_of_vias(scenario, path); !flaw.empty()) return flaw;
   if (!scenario.goal_set.empty()) return flaw_of_end(scenario, path, at);
   const Pose& goal = scenario.goal;
   const Real dx = at.place.x - (Real{goal.x} - scenario.start.x);

@@ -398,6 +398,14 @@ Scenario nasty_world_of_goals(std::uint64_t seed) {
   const double size = std::max(whole_length(scenario.vehicle), scenario.vehicle.min_turning_radius);
   if (chance(0.4, rng)) scenario.inside = {nasty_area(scenario, size, rng)};
   if (!scenario.inside.empty() && chance(0.3, rng)) return scenario;
+  if (chance(0.3, rng)) {
+    for (int i = static_cast<int>(any_size(1, 4, rng)); i > 0; --i) {
+      GoalRegion region = nasty_region(scenario, size, rng);
+      region.straight = region.curvature = 0.0;
+      scenario.via.push_back({.any_of = {region}, .stop = chance(0.5, rng)});
+    }
+    if (chance(0.5, rng)) return scenario;
+  }
   const int regions = 1 + static_cast<int>(any_size(1, 4, rng));
   for (int i = chance(0.5, rng) ? regions : 1; i > 0; --i) {
     scenario.goal_set.push_back(nasty_region(scenario, size, rng));

@@ -48,10 +48,14 @@ def every_value(tmp_path):
         "Execution": executable.flowing,
         "GoalRegion": vp.GoalRegion((3, 4), 2, (1, 2), either_way=True, straight=4),
         "LiveDriveResult": live,
+        "Mask": vp.Mask(grid, cost=3),
         "Meeting": vp.first_meeting(busy.speeds, scenario.moving, 1000),
         "MovingObstacle": crossing_car(60),
         "NearestNodes": nodes,
         "OccupancyGrid": grid,
+        "PassedVia": vp.plan(
+            vp.Scenario((0, 0, 0), (20, 0, 0), bounds=(-9, 29, -9, 9), via=[(9, 0, 0)]), max_iterations=50
+        ).via[0],
         "Path": result.path,
         "PathCheck": busy.check,
         "Planner": vp.Planner("straight", straight, options={"share": (0.2, 0, 1), "way": ("a", ["a", "b"])}),
@@ -62,6 +66,8 @@ def every_value(tmp_path):
         "SpeedProfile": busy.speeds,
         "TrailerDeviation": trailer.trailer,
         "Vehicle": rig.vehicle,
+        "Via": vp.Via((9, 0, 0), stop=True),
+        "Zone": vp.Zone([(0, 0), (9, 0), (9, 9)], direction=(0, 1), max_speed=2),
     }
 
 

@@ -111,6 +111,8 @@ void bind_path_check(py::module_& module) {
 number as "index"), "map" or "bounds".)")
       .field("goal", &Verdict::goal,
              "Goal of a set that the path ends at, a `ReachedGoal`; None without a set of goals.")
+      .field("via", &Verdict::via,
+             "Where the path passes each via of the scenario, `PassedVia` objects.")
       .field("length", &Verdict::length, "Driven distance [m].")
       .field("reverse_length", &Verdict::reverse_length, "Distance driven in reverse [m].")
       .field("gear_changes", &Verdict::gear_changes, "Number of gear changes.")

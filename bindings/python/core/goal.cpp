@@ -176,8 +176,69 @@ std::vector<GoalRegion> goal_set_from(const py::handle& given) {
   return set;
 }
 
+namespace {
+
+/// Regions of a via: a pose, a `GoalRegion`, or a sequence of these.
+std::vector<GoalRegion> regions_of_via(const py::object& given) {
+  std::vector<GoalRegion> regions = goal_set_from(given);
+  if (regions.empty()) regions.push_back(region_of_pose(pose_from(given, "via")));
+  return regions;
+}
+
+void bind_via(py::module_& module) {
+  py::class_<Via> via(module, "Via", R"(Via(any_of, *, stop=False)
+
+What a path passes on its way to the goal.
+
+- `any_of`: a pose [x, y, heading], a `GoalRegion`, or a sequence of `GoalRegion` objects.
+- `stop`: whether the vehicle stands there, so that its gear may change and its wheels may turn.)");
+  via.def(py::init([](const py::object& any_of, bool stop) {
+            return Via{regions_of_via(any_of), stop};
+          }),
+          "any_of"_a, py::kw_only(), "stop"_a = false)
+      .def_readonly("any_of", &Via::any_of, "Regions, of which the path passes one.")
+      .def_readonly("stop", &Via::stop, "Whether the vehicle stands there.")
+      .def("__eq__", [](const Via& self, const Via& other) { return self == other; })
+      .def("__eq__", [](const Via&, const py::object&) { return false; })
+      .def("__repr__",
+           [](const Via& self) {
+             return fmt::format("<vandplan.Via: {} region{}{}>", self.any_of.size(),
+                                self.any_of.size() == 1 ? "" : "s", self.stop ? ", stop" : "");
+           })
+      .def(py::pickle([](const Via& self) { return py::make_tuple(self.any_of, self.stop); },
+                      [](const py::tuple& state) {
+                        return Via{state[0].cast<std::vector<GoalRegion>>(), state[1].cast<bool>()};
+                      }))
+      .attr("__hash__") = py::none();
+  ValueClass<PassedVia> passed(module, "PassedVia", R"(Place where a path passes a via.)");
+  passed.field("s", &PassedVia::s, "Driven distance since the start [m].")
+      .field("pose", &PassedVia::pose, "Pose [x, y, heading] of the vehicle.");
+  passed.pickled()
+      .def("__eq__", [](const PassedVia& self, const PassedVia& other) { return self == other; })
+      .def("__eq__", [](const PassedVia&, const py::object&) { return false; })
+      .def("__repr__",
+           [](const PassedVia& self) {
+             return fmt::format("<vandplan.PassedVia: {:.3f} m, ({:.3f}, {:.3f}, {:.4f})>", self.s,
+                                self.pose.x, self.pose.y, self.pose.heading);
+           })
+      .attr("__hash__") = py::none();
+}
+
+}  // namespace
+
+std::vector<Via> via_from(const py::handle& given) {
+  std::vector<Via> all;
+  for (const py::handle item : py::reinterpret_borrow<py::iterable>(given)) {
+    all.push_back(py::isinstance<Via>(item)
+                      ? item.cast<Via>()
+                      : Via{regions_of_via(py::reinterpret_borrow<py::object>(item)), false});
+  }
+  return all;
+}
+
 void bind_goal(py::module_& module) {
   bind_region(module);
+  bind_via(module);
   ValueClass<ReachedGoal> reached(module, "ReachedGoal", R"(Goal of a set that a path ends at.)");
   reached.field("index", &ReachedGoal::index, "Index of the region in its set.")
       .field("pose", &ReachedGoal::pose, "Pose [x, y, heading] of the vehicle.");

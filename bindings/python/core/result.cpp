@@ -156,6 +156,9 @@ its number as "index"), "map" (with the middle of the cell [m] as "cell") or "bo
       "goal", [](const PlanResult& r) { return r.goal; },
       "Goal of a set that the path ends at, a `ReachedGoal`; None without a set of goals.");
   property(
+      "via", [](const PlanResult& r) { return r.via; },
+      "Where the path passes each via of the scenario, `PassedVia` objects.");
+  property(
       "lower_bound", [](const PlanResult& r) { return r.lower_bound; },
       "Proven lower bound on the cost of all paths, in the unit of `cost`; None if nothing is "
       "proven.");

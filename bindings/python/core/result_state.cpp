@@ -60,7 +60,8 @@ py::tuple state_of(const PathClaims& claims) {
   const py::object cost = claims.cost ? py::object(state_of(*claims.cost)) : py::none();
   return py::make_tuple(claims.length, claims.gear_changes, cost, claims.clearance.margin,
                         claims.clearance.margin_ramp, name_of(claims.steering),
-                        claims.start_hitch_angle, poses, name_of(claims.gears), claims.goal);
+                        claims.start_hitch_angle, poses, name_of(claims.gears), claims.goal,
+                        claims.via);
 }
 
 PathClaims claims_from(const py::handle& given) {
@@ -71,6 +72,7 @@ PathClaims claims_from(const py::handle& given) {
                     .steering = steering_named(state[5].cast<std::string>()),
                     .gears = gears_named(state[8].cast<std::string>()),
                     .goal = state[9].cast<std::optional<ReachedGoal>>(),
+                    .via = state[10].cast<std::vector<PassedVia>>(),
                     .start_hitch_angle = state[6].cast<std::optional<double>>()};
   if (!state[2].is_none()) claims.cost = cost_from(state[2]);
   for (const py::handle item : state[7]) {
@@ -127,7 +129,7 @@ py::tuple state_of(const PlanResult& plan) {
   if (plan.check) check = Verdict{*plan.check};
   return py::make_tuple(name_of(plan.status), plan.reason, plan.path, plan.cost, plan.lower_bound,
                         plan.iterations, plan.time_total, state_of_trace(plan), check, speeds,
-                        plan.drive_check, plan.hit, plan.goal);
+                        plan.drive_check, plan.hit, plan.goal, plan.via);
 }
 
 PlanResult plan_from(const py::handle& given) {
@@ -148,6 +150,7 @@ PlanResult plan_from(const py::handle& given) {
   plan.drive_check = state[10].cast<std::optional<DriveCheck>>();
   plan.hit = state[11].cast<std::optional<Hit>>();
   plan.goal = state[12].cast<std::optional<ReachedGoal>>();
+  plan.via = state[13].cast<std::vector<PassedVia>>();
   return plan;
 }
 

@@ -70,7 +70,8 @@ CheckedScenario make_scenario(const py::object& start, const py::object& goal,
                               double goal_hitch_angle, const std::string& name,
                               const py::dict& options, const std::vector<MovingObstacle>& moving,
                               const py::object& inside, const std::vector<Zone>& zones,
-                              const std::vector<Mask>& masks, const py::object& grid) {
+                              const std::vector<Mask>& masks, const py::iterable& via,
+                              const py::object& grid) {
   if (!grid.is_none()) warn_of_old_name("grid", "map");
   Scenario scenario{.name = name,
                     .vehicle = vehicle_from(vehicle),
@@ -78,6 +79,7 @@ CheckedScenario make_scenario(const py::object& start, const py::object& goal,
                     .curvatures = {start_curvature, goal_curvature},
                     .hitch_angles = {start_hitch_angle, goal_hitch_angle},
                     .goal_set = goal_set_from(goal),
+                    .via = via_from(via),
                     .obstacles = polygons_from(obstacles, "obstacles"),
                     .kerbs = polygons_from(kerbs, "kerbs"),
                     .inside = polygons_from(inside, "inside"),
@@ -191,6 +193,9 @@ void bind_scenario_data(py::class_<CheckedScenario>& scenario) {
       "goal_set", [](const Scenario& s) { return s.goal_set; },
       "Regions of a set of goals, `GoalRegion` objects; empty if the goal is a pose.");
   property(
+      "via", [](const Scenario& s) { return s.via; },
+      "What the path passes before the goal, `Via` objects.");
+  property(
       "start_curvature", [](const Scenario& s) { return s.curvatures.start; },
       "Curvature that the wheels are turned to at the start [1/m].");
   property(
@@ -236,12 +241,13 @@ void bind_scenario_class(py::module_& module) {
   py::class_<CheckedScenario> scenario(module, "Scenario", R"(Scenario(start, goal, *, bounds=None,
     obstacles=(), kerbs=(), map=None, resolution=None, origin=None, vehicle=None,
     start_curvature=0, goal_curvature=0, start_hitch_angle=0, goal_hitch_angle=0, name="scenario",
-    options={}, moving=(), inside=(), zones=(), masks=())
+    options={}, moving=(), inside=(), zones=(), masks=(), via=())
 
 A planning problem, checked and immutable. Units are metres and radians.
 
 - `start`: pose [x, y, heading] of the midpoint of the rear axle.
 - `goal`: a pose, a `GoalRegion`, or a sequence of `GoalRegion` objects.
+- `via`: what the path passes before the goal, in this order: poses, `GoalRegion` or `Via` objects.
 - `bounds`: range of the rear axle (x_min, x_max, y_min, y_max); that of the map by default.
 - `obstacles`, `kerbs`: simple polygons, arrays of shape (N, 2) or polygons of shapely and
   geopandas without holes. Only the wheels keep off kerbs.
@@ -263,11 +269,12 @@ Raises InputError naming the argument that is wrong.)");
            "start_curvature"_a = 0.0, "goal_curvature"_a = 0.0, "start_hitch_angle"_a = 0.0,
            "goal_hitch_angle"_a = 0.0, "name"_a = "scenario", "options"_a = py::dict(),
            "moving"_a = std::vector<MovingObstacle>{}, "inside"_a = py::tuple(),
-           "zones"_a = std::vector<Zone>{}, "masks"_a = std::vector<Mask>{}, "grid"_a = py::none())
+           "zones"_a = std::vector<Zone>{}, "masks"_a = std::vector<Mask>{},
+           "via"_a = py::tuple(), "grid"_a = py::none())
       .def("with_poses", &moved, "start"_a = py::none(), "goal"_a = py::none(),
            R"(with_poses(start=None, goal=None) -> Scenario
 
-Copy with another start or goal. It shares the world, so nothing is built again.)")
+Copy with another start or goal, and without vias. It shares the world, so nothing is built again.)")
       .def("with_moving", &among, "moving"_a,
            R"(with_moving(moving) -> Scenario
 
@@ -313,6 +320,7 @@ const Scenario& CheckedScenario::scenario() const {
     changed.goal = ends_->goal;
     changed.curvatures = ends_->curvatures;
     changed.goal_set.clear();
+    changed.via.clear();
     scenario_ = std::make_shared<const Scenario>(std::move(changed));
     ends_.reset();
   }
@@ -355,6 +363,7 @@ CheckedScenario CheckedScenario::with_goal_set(const Pose& start,
   Scenario changed = scenario();
   changed.start = start;
   changed.goal_set = set;
+  changed.via.clear();
   other.scenario_ = std::make_shared<const Scenario>(std::move(changed));
   other.ends_.reset();
   return other;

@@ -79,14 +79,15 @@ Interval hitch_angles_from(const val& given, const std::string& where, const Veh
 GoalRegion region_from(const val& given, const std::string& where, const Vehicle& vehicle) {
   GoalRegion region;
   if (has(given, "trailer")) {
-    allow_only(given, {"trailer", "curvature", "hitch_angles", "straight"}, where);
+    allow_only(given, {"trailer", "curvature", "hitch_angles", "straight", "stop"}, where);
     if (!vehicle.trailer) throw InputError(where + ".trailer", "is given without a trailer");
     allow_only(given["trailer"], {"x", "y", "area", "heading", "either_way"}, where + ".trailer");
     region.is_of_trailer = true;
     read_axle(given["trailer"], where + ".trailer", region);
   } else {
     allow_only(given,
-               {"x", "y", "area", "heading", "either_way", "curvature", "hitch_angles", "straight"},
+               {"x", "y", "area", "heading", "either_way", "curvature", "hitch_angles", "straight",
+                "stop"},
                where);
     read_axle(given, where, region);
   }
@@ -98,17 +99,20 @@ GoalRegion region_from(const val& given, const std::string& where, const Vehicle
   return region;
 }
 
-std::vector<GoalRegion> set_from(const val& given, const Vehicle& vehicle) {
-  if (!has(given, "any_of")) return {region_from(given, "goal", vehicle)};
-  allow_only(given, {"any_of"}, "goal");
+std::vector<GoalRegion> set_from(const val& given, const std::string& where,
+                                 const Vehicle& vehicle) {
+  if (!has(given, "any_of")) return {region_from(given, where, vehicle)};
+  allow_only(given, {"any_of", "stop"}, where);
   const val any_of = given["any_of"];
-  if (!any_of.isArray()) throw InputError("goal.any_of", "expected a list");
+  if (!any_of.isArray()) throw InputError(where + ".any_of", "expected a list");
   std::vector<GoalRegion> set;
   const auto count = any_of["length"].as<std::size_t>();
   for (std::size_t i = 0; i < count; ++i) {
-    set.push_back(region_from(any_of[i], "goal.any_of[" + std::to_string(i) + "]", vehicle));
+    const std::string one = where + ".any_of[" + std::to_string(i) + "]";
+    if (has(any_of[i], "stop")) throw InputError(one + ".stop", "is for entries of via alone");
+    set.push_back(region_from(any_of[i], one, vehicle));
   }
-  if (set.empty()) throw InputError("goal.any_of", "is empty, expected at least one goal");
+  if (set.empty()) throw InputError(where + ".any_of", "is empty, expected at least one goal");
   return set;
 }
 
@@ -119,8 +123,40 @@ Goal goal_from(const val& given, const Vehicle& vehicle) {
              {"x", "y", "heading", "curvature", "hitch_angles", "trailer", "area", "either_way",
               "any_of", "straight"},
              "goal");
-  if (is_set(given)) return {.end = {}, .set = set_from(given, vehicle)};
+  if (is_set(given)) return {.end = {}, .set = set_from(given, "goal", vehicle)};
   return {.end = end_from(given, "goal", vehicle), .set = {}};
+}
+
+std::vector<Via> via_at(const val& given, const Vehicle& vehicle) {
+  std::vector<Via> all;
+  if (!has(given, "via")) return all;
+  const val list = given["via"];
+  if (!list.isArray()) throw InputError("via", "expected a list");
+  const auto count = list["length"].as<std::size_t>();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string where = "via[" + std::to_string(i) + "]";
+    const val item = list[i];
+    Via via{.any_of = set_from(item, where, vehicle)};
+    if (has(item, "stop")) {
+      const val stop = item["stop"];
+      if (!stop.isTrue() && !stop.isFalse()) {
+        throw InputError(where + ".stop", "expected true or false");
+      }
+      via.stop = stop.isTrue();
+    }
+    all.push_back(std::move(via));
+  }
+  return all;
+}
+
+val list_of(const std::vector<PassedVia>& passed) {
+  val list = val::array();
+  for (const auto& [s, pose] : passed) {
+    val object = object_of(pose);
+    object.set("s", s);
+    list.call<void>("push", object);
+  }
+  return list;
 }
 
 val object_of(const std::optional<ReachedGoal>& goal) {

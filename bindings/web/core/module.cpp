@@ -92,7 +92,8 @@ class Yard {
 
   /// Plans with {planner, options, warm_start}, and {start, goal, vehicle} if they are given.
   [[nodiscard]] val plan(const val& query) const {
-    allow_only(query, {"planner", "options", "start", "goal", "vehicle", "warm_start"}, "query");
+    allow_only(query, {"planner", "options", "start", "goal", "via", "vehicle", "warm_start"},
+               "query");
     const Planner planner = planner_of(query);
     const Problem problem = problem_of(query);
     const PlanOptions options = options_from(planner, query["options"], problem.vehicle());
@@ -106,9 +107,10 @@ class Yard {
   /// Checks a path with the judge: {path, margin, margin_ramp, steering, gears, start, goal,
   /// vehicle}.
   [[nodiscard]] val check(const val& query) const {
-    allow_only(query,
-               {"path", "margin", "margin_ramp", "steering", "gears", "start", "goal", "vehicle"},
-               "query");
+    allow_only(
+        query,
+        {"path", "margin", "margin_ramp", "steering", "gears", "start", "goal", "via", "vehicle"},
+        "query");
     PathClaims claims{.clearance = {number_at(query, "margin", "", 0.0),
                                     number_at(query, "margin_ramp", "", 0.0)}};
     if (has(query, "steering"))
@@ -143,8 +145,9 @@ class Yard {
     const Problem problem = make_problem(world_, vehicle, start.pose, goal.end.pose,
                                          {start.curvature, goal.end.curvature},
                                          {start.hitch_angle, goal.end.hitch_angle});
-    return with_moving(goal.set.empty() ? problem : with_goal_set(problem, goal.set),
-                       scenario_.moving);
+    const std::vector<Via> via = has(query, "via") ? via_at(query, vehicle) : scenario_.via;
+    const Problem ends = goal.set.empty() ? problem : with_goal_set(problem, goal.set);
+    return with_moving(with_via(ends, via), scenario_.moving);
   }
 
   Scenario scenario_;

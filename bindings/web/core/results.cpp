@@ -64,6 +64,7 @@ val object_of(const PlanResult& result) {
   object.set("hit", object_of(result.hit));
   object.set("path", result.path ? object_of(*result.path) : val::null());
   object.set("goal", object_of(result.goal));
+  object.set("via", list_of(result.via));
   object.set("cost", result.path ? val(result.cost) : val::null());
   object.set("lower_bound", result.lower_bound ? val(*result.lower_bound) : val::null());
   object.set("iterations", static_cast<double>(result.iterations));

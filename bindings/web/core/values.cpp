@@ -243,8 +243,8 @@ Vehicle vehicle_from(const val& given) {
 
 Scenario scenario_from(const val& given) {
   allow_only(given,
-             {"name", "description", "vehicle", "bounds", "start", "goal", "obstacles", "kerbs",
-              "inside", "zones", "map", "masks", "moving"},
+             {"name", "description", "vehicle", "bounds", "start", "goal", "via", "obstacles",
+              "kerbs", "inside", "zones", "map", "masks", "moving"},
              "");
   Scenario scenario;
   if (has(given, "vehicle")) scenario.vehicle = vehicle_from(given["vehicle"]);
@@ -265,6 +265,7 @@ Scenario scenario_from(const val& given) {
   scenario.start = start.pose;
   scenario.goal = goal.end.pose;
   scenario.goal_set = std::move(goal.set);
+  scenario.via = via_at(given, scenario.vehicle);
   scenario.curvatures = {start.curvature, goal.end.curvature};
   scenario.hitch_angles = {start.hitch_angle, goal.end.hitch_angle};
   scenario.obstacles = polygons_at(given, "obstacles");

@@ -65,6 +65,8 @@ struct Goal {
 
 /// Goal from an object with the keys of a scenario file.
 [[nodiscard]] Goal goal_from(const val& given, const Vehicle& vehicle);
+/// Entries of `via` of a scenario or query; none without the key.
+[[nodiscard]] std::vector<Via> via_at(const val& given, const Vehicle& vehicle);
 [[nodiscard]] Polygon polygon_from(const val& corners, const std::string& where);
 /// Pose from {x, y, heading}; curvature and hitch_angles are ignored.
 [[nodiscard]] Pose pose_from(const val& given, const std::string& where);
@@ -79,6 +81,8 @@ struct Goal {
 [[nodiscard]] val object_of(const Path& path);
 /// Object {index, x, y, heading}, or null.
 [[nodiscard]] val object_of(const std::optional<ReachedGoal>& goal);
+/// List of {s, x, y, heading}.
+[[nodiscard]] val list_of(const std::vector<PassedVia>& passed);
 [[nodiscard]] val list_of(std::span<const Segment> segments);
 [[nodiscard]] val object_of(const PathCheck& check);
 [[nodiscard]] val object_of(const PlanResult& result);

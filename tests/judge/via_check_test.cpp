@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// The judge finds where a path passes its vias, in their order, and the one that it misses.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "support/cases.h"
+#include "support/draws.h"
+#include "support/problems.h"
+#include "vandplan/judge.h"
+#include "vandplan/vehicle.h"
+
+namespace vandplan {
+namespace {
+
+/// A problem of driving along a path, past vias.
+Problem along(const Path& path, const std::vector<Via>& via, const Vehicle& vehicle = {}) {
+  return make_problem({.vehicle = vehicle,
+                       .bounds = wide_bounds,
+                       .start = path.start,
+                       .goal = end_pose(path),
+                       .via = via});
+}
+
+Via at(const Pose& pose, bool stop = false) { return {{region_of_pose(pose)}, stop}; }
+
+const Path bend{{}, {{0.0, 10.0}, {0.1, 8.0}, {-0.1, -3.0}, {0.0, -5.0}}};
+
+TEST(JudgeOfVias, FindsWhereAPathPassesThem) {
+  for_each_case(2601, 200, [](Rng& rng) {
+    const double first = uniform(0, length(bend), rng);
+    const double second = uniform(first, length(bend), rng);
+    const Problem problem = along(bend, {at(pose_at(bend, first)), at(pose_at(bend, second))});
+    const PathCheck check = check_path(problem, bend);
+    ASSERT_TRUE(check.valid) << check.reason;
+    ASSERT_EQ(check.via.size(), 2U);
+    EXPECT_NEAR(check.via[0].s, first, 3e-6);
+    EXPECT_NEAR(check.via[1].s, second, 3e-6);
+  });
+}
+
+TEST(JudgeOfVias, NamesTheOneThatIsMissed) {
+  const auto reason = [](const std::vector<Via>& via) {
+    return check_path(along(bend, via), bend).reason;
+  };
+  EXPECT_EQ(reason({at({5, 0.001, 0})}), "the path does not pass via[0]");
+  EXPECT_EQ(reason({at({5, 0, 0.001})}), "the path does not pass via[0]");
+  EXPECT_EQ(reason({at({5, 0.9e-6, 0})}), "");
+  EXPECT_EQ(reason({at({5, 1.2e-6, 0})}), "the path does not pass via[0]");
+  EXPECT_EQ(reason({at({5, 0, 0}), at({4, 0, 0})}), "the path does not pass via[1] behind via[0]");
+  EXPECT_EQ(reason({at({5, 0, 0}), at({5, 0, 0})}), "");
+  EXPECT_EQ(reason({at({}), at(end_pose(bend))}), "");
+}
+
+TEST(JudgeOfVias, FindsWhereARegionIsEntered) {
+  const Via gate{{{.x = {4, 6}, .y = {-1, 1}, .heading = {-0.1, 0.1}}}};
+  const PathCheck check = check_path(along(bend, {gate}), bend);
+  ASSERT_TRUE(check.valid) << check.reason;
+  EXPECT_NEAR(check.via[0].s, 4, 3e-6);
+}
+
+TEST(JudgeOfVias, LetsWheelsTurnWhereTheVehicleStands) {
+  const Path kinked{{}, {{0.0, 10.0}, {0.1, 8.0}}};
+  const PathClaims claims{.steering = Steering::continuous_between_stops};
+  const auto is_valid = [&](const std::vector<Via>& via) {
+    return check_path(along(kinked, via), kinked, claims).valid;
+  };
+  EXPECT_FALSE(is_valid({}));
+  EXPECT_TRUE(is_valid({at({10, 0, 0}, true)}));
+  EXPECT_FALSE(is_valid({at({10, 0, 0})}));
+  EXPECT_FALSE(is_valid({at({9, 0, 0}, true)}));
+  // It stands where it has to, anywhere in a region.
+  const Via lay_by{{{.x = {4, 12}, .y = {-1, 1}, .heading = {-0.1, 0.1}}}, true};
+  EXPECT_TRUE(is_valid({lay_by}));
+  EXPECT_FALSE(
+      check_path(along(kinked, {at({10, 0, 0}, true)}), kinked, {.steering = Steering::continuous})
+          .valid);
+}
+
+TEST(JudgeOfVias, FollowsTrailers) {
+  const Vehicle rig = semitrailer();
+  const Path path{{}, {{0.0, 6.0}, {0.05, 8.0}}};
+  State state{};
+  state = advance(rig, state, path.segments[0]);
+  state = advance(rig, state, part_of(path.segments[1], 0, 3));
+  const auto check = [&](double hitch_angle) {
+    GoalRegion region = region_of_pose(state.pose);
+    region.hitch_angle = {hitch_angle, hitch_angle};
+    Scenario scenario{.vehicle = rig,
+                      .bounds = wide_bounds,
+                      .goal_set = {{.x = {-100, 100}, .y = {-100, 100}, .heading = any_heading}},
+                      .via = {{{region}, false}}};
+    scenario.goal_set[0].hitch_angle = {-rig.max_hitch_angle, rig.max_hitch_angle};
+    return check_path(make_problem(scenario), path);
+  };
+  ASSERT_TRUE(check(state.hitch_angle).valid) << check(state.hitch_angle).reason;
+  EXPECT_NEAR(check(state.hitch_angle).via[0].s, 9, 1e-4);
+  EXPECT_FALSE(check(state.hitch_angle + 1e-4).valid);
+}
+
+TEST(JudgeOfVias, HoldsStatedPlacesToThePath) {
+  const Problem problem = along(bend, {at({5, 0, 0}), at({8, 0, 0})});
+  const auto reason = [&](const std::vector<PassedVia>& stated) {
+    return check_path(problem, bend, {.via = stated}).reason;
+  };
+  EXPECT_EQ(reason({{5, {5, 0, 0}}, {8, {8, 0, 0}}}), "");
+  EXPECT_EQ(reason({{5, {5, 0, 0}}}), "1 vias are stated, the scenario has 2");
+  EXPECT_EQ(reason({{5, {5, 0, 0}}, {8.1, {8, 0, 0}}}),
+            "the stated via[1] is not where the path passes it");
+  EXPECT_EQ(reason({{6, {6, 0, 0}}, {8, {8, 0, 0}}}),
+            "the stated via[0] is not where the path passes it");
+  EXPECT_EQ(reason({{8, {8, 0, 0}}, {5, {5, 0, 0}}}),
+            "the stated via[0] is not where the path passes it");
+}
+
+}  // namespace
+}  // namespace vandplan
