@@ -37,6 +37,7 @@ enum class Capability : std::uint8_t {
   moving,            ///< avoids `Task::moving`; answers then have speeds, too
   trailers,          ///< plans for vehicles with a trailer
   goal_sets,         ///< takes `Task::goal_set`; without it `plan` gives it single goals in turn
+  via,  ///< takes `Task::via` and `GoalRegion::straight`; without it `plan` gives it legs
 };
 
 /// Name of the capability: "prices", "steering_of_rigs", ...

@@ -81,6 +81,7 @@ std::optional<Task> task_around(const Task& task, std::span<const Ghost> ghosts,
                                          task.curvatures, task.hitch_angles);
     Task around = task_of(problem, clearance, task.steering);
     around.last_stretch = task.last_stretch;
+    around.via = task.via;
     const CollisionChecker& checker = *around.checker;
     if (checker.is_free(start_state(task)) && checker.is_free(goal_state(task))) return around;
   } catch (const InputError&) {

@@ -93,13 +93,7 @@ class InTimeRun {
   }
 
  private:
-  [[nodiscard]] bool is_goal_the_start() const {
-    const auto [first, last] = task_.curvatures;
-    if (task_.steering == Steering::continuous && first != last) return false;
-    if (task_.hitch_angles.start != task_.hitch_angles.goal) return false;
-    if (task_.last_stretch != 0.0) return false;
-    return reeds_shepp_length(task_.start, task_.goal, task_.vehicle.min_turning_radius) == 0.0;
-  }
+  [[nodiscard]] bool is_goal_the_start() const { return planning::is_there(task_); }
 
   [[nodiscard]] std::unique_ptr<PathSearch> search_of(const Task& task,
                                                       const anytime::Given& given) const {
@@ -118,7 +112,7 @@ class InTimeRun {
   /// Does one piece of work. False if nothing is left to do.
   bool step() {
     Source* source = next_source();
-    const bool may_use_refuges = met_ && !sources_.front().path.empty();
+    const bool may_use_refuges = met_ && !sources_.front().path.empty() && task_.via.empty();
     if (may_use_refuges && (!source || is_turn_of_refuges())) {
       const std::int64_t before = budget_.iterations();
       go_on_with_refuges();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "planners/pricing.h"
+#include "planners/search_via.h"
 #include "problem/goal_set.h"
 #include "vandplan/steering.h"
 #include "vandplan/vehicle.h"
@@ -30,14 +31,6 @@ Path without_end(const Path& path, double length) {
   return rest;
 }
 
-/// Whether a task needs no path: the goal is the start, with wheels and trailer as they are.
-bool is_there(const Task& task) {
-  const bool turns_wheels =
-      task.steering == Steering::continuous && task.curvatures.start != task.curvatures.goal;
-  if (turns_wheels || task.hitch_angles.start != task.hitch_angles.goal) return false;
-  return reeds_shepp_length(task.start, task.goal, task.vehicle.min_turning_radius) == 0.0;
-}
-
 class WithLine final : public PathSearch {
  public:
   WithLine(const Task& task, const PlanOptions& options, double time_price, const Path* known,
@@ -47,7 +40,7 @@ class WithLine final : public PathSearch {
     const std::optional<Path> way =
         known == nullptr ? std::nullopt
                          : std::optional(without_end(*known, std::abs(task.last_stretch)));
-    search_ = search_to(before_, options, way ? &*way : nullptr);
+    search_ = search_via(before_, options, time_price, way ? &*way : nullptr, search_to);
   }
 
   bool advance(std::int64_t most) override { return search_ && search_->advance(most); }
@@ -104,6 +97,14 @@ class WithLine final : public PathSearch {
 
 }  // namespace
 
+bool is_there(const Task& task) {
+  if (!task.via.empty() || task.last_stretch != 0.0) return false;
+  const bool turns_wheels =
+      task.steering == Steering::continuous && task.curvatures.start != task.curvatures.goal;
+  if (turns_wheels || task.hitch_angles.start != task.hitch_angles.goal) return false;
+  return reeds_shepp_length(task.start, task.goal, task.vehicle.min_turning_radius) == 0.0;
+}
+
 // A drive back along the line leads from the goal to where the line begins, trailers included.
 Task before_line(const Task& task) {
   if (task.last_stretch == 0.0) return task;
@@ -121,7 +122,9 @@ Task before_line(const Task& task) {
 std::unique_ptr<PathSearch> search_with_line(const Task& task, const PlanOptions& options,
                                              double time_price, const Path* known,
                                              const SearchTo& search_to) {
-  if (task.last_stretch == 0.0) return search_to(task, options, known);
+  if (task.last_stretch == 0.0) {
+    return search_via(task, options, time_price, known, search_to);
+  }
   return std::make_unique<WithLine>(task, options, time_price, known, search_to);
 }
 

@@ -18,12 +18,16 @@ namespace vandplan::planning {
 /// The straight line with which paths of a task end.
 [[nodiscard]] inline Segment line_of(const Task& task) { return {0.0, task.last_stretch}; }
 
+/// Whether a task needs no path: the goal is the start, with wheels and trailer as they are.
+[[nodiscard]] bool is_there(const Task& task);
+
 /// The task of driving to where the straight line of `task` begins. The task itself without one.
 [[nodiscard]] Task before_line(const Task& task);
 
-/// A search for paths that end with the straight line of `task`: `search_to` searches for the way
-/// before it, and `known` is a path to the goal or null. Costs are those of `Pricing` with this
-/// `time_price`. The task outlives the search. Without a line it is the search of `search_to`.
+/// A search for paths that pass the vias of `task` and end with its straight line: `search_to`
+/// searches for what is between them, and `known` is a path to the goal or null. Costs are those of
+/// `Pricing` with this `time_price`. The task outlives the search. Without vias and line it is the
+/// search of `search_to`.
 [[nodiscard]] std::unique_ptr<PathSearch> search_with_line(const Task& task,
                                                            const PlanOptions& options,
                                                            double time_price, const Path* known,

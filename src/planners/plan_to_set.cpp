@@ -13,11 +13,10 @@
 #include <vector>
 
 #include "planners/anytime/compose.h"
-#include "planners/anytime/cost_bound.h"
 #include "planners/goal_poses.h"
 #include "planners/last_stretch.h"
 #include "planners/pricing.h"
-#include "planners/rig/towed.h"
+#include "planners/set_bounds.h"
 #include "problem/goal_set.h"
 #include "vandplan/search.h"
 #include "vandplan/steering.h"
@@ -30,8 +29,7 @@ constexpr double endless = std::numeric_limits<double>::infinity();
 /// Most goals of a region that are searched for: with one interval, and with several.
 constexpr std::size_t max_goals_of_line = 16;
 constexpr std::size_t max_goals_of_region = 64;
-constexpr std::size_t max_goals_of_set = 2048;   // most goals of all regions, but two of each
-constexpr std::size_t halvings_of_set = 20'000;  // halvings of parts of all regions, for the bound
+constexpr std::size_t max_goals_of_set = 2048;  // most goals of all regions, but two of each
 constexpr std::size_t max_open_ways = 2;  // goals tried on open ground before the first search
 /// Work on the most promising goal after which twice as many goals are looked at [iterations].
 constexpr double work_of_doubling = 64.0;
@@ -78,6 +76,7 @@ class SetRun {
         time_price_(time_price),
         search_to_(search_to),
         pricing_(task, options.cost, time_price),
+        bounds_(task, options.cost, time_price),
         budget_(options.budget) {
     alone_.goal_set.clear();
     add_goals();
@@ -131,7 +130,7 @@ class SetRun {
 
   /// Number of goals that are tried on open ground: 0 if searches do not begin with that.
   [[nodiscard]] std::ptrdiff_t looks_at_open_ways(std::size_t goals) const {
-    const bool begins_there = !task_.vehicle.trailer && task_.moving.empty();
+    const bool begins_there = !task_.vehicle.trailer && task_.moving.empty() && task_.via.empty();
     return begins_there ? static_cast<std::ptrdiff_t>(std::min(goals, max_open_ways)) : 0;
   }
 
@@ -148,16 +147,17 @@ class SetRun {
                                             options_.clearance)};
     if (!goal.task.checker->is_free(state)) return std::nullopt;
     ++free_;
-    goal.bound = cost_lower_bound_to(goal.task);
+    goal.bound = bounds_.to(goal.task);
     goal.task.last_stretch = last_stretch(task_, point);
     if (goal.task.last_stretch == 0.0) return goal;
     const Task before = before_line(goal.task);
     const Segment line = line_of(goal.task);
-    const bool may_drive = search::may_drive(pricing_.rule(), {&line, 1});
+    const bool folds = std::abs(before.hitch_angles.goal) > task_.vehicle.max_hitch_angle;
+    const bool may_drive = !folds && search::may_drive(pricing_.rule(), {&line, 1});
     if (!may_drive || !before.checker->is_free(goal_state(before), line)) return std::nullopt;
     if (pricing_.counts_time()) return goal;
     const double of_line = pricing_.rule().weight(search::gear_of(line)) * std::abs(line.length);
-    goal.bound = std::max(goal.bound, cost_lower_bound_to(before) + of_line);
+    goal.bound = std::max(goal.bound, bounds_.to(before) + of_line);
     return goal;
   }
 
@@ -174,31 +174,10 @@ class SetRun {
                       "there is a free straight last stretch"};
   }
 
-  [[nodiscard]] double cost_lower_bound_to(const Task& task) const {
-    const Pricing pricing(task, options_.cost, time_price_);
-    if (task.vehicle.trailer) return rig::cost_lower_bound(task, pricing);
-    return anytime::CostBound(task, pricing).least({});
-  }
-
   /// Lower bound of the cost of paths to continuous regions.
   [[nodiscard]] double bound_of_regions() {
-    if (!bound_of_regions_) bound_of_regions_ = find_bound_of_regions();
+    if (!bound_of_regions_) bound_of_regions_ = bounds_.to_regions();
     return *bound_of_regions_;
-  }
-
-  [[nodiscard]] double find_bound_of_regions() const {
-    double least = endless;
-    for (std::size_t region = 0; region < task_.goal_set.size(); ++region) {
-      if (!is_continuous(task_.goal_set[region])) continue;
-      const double length =
-          length_lower_bound_to(task_, region, halvings_of_set / task_.goal_set.size());
-      const anytime::OpenGround ground{length, length, length, 0.0};
-      const double priced = anytime::cost_lower_bound(ground, pricing_.rule(), 0.0);
-      const double cost =
-          pricing_.counts_time() ? pricing_.cost_lower_bound(length, length) : priced;
-      least = std::min(least, cost);
-    }
-    return least;
   }
 
   [[nodiscard]] bool is_single(const Candidate& goal) const {
@@ -283,11 +262,7 @@ class SetRun {
   }
 
   [[nodiscard]] bool is_at_start(const Candidate& goal) const {
-    if (!task_.moving.empty() || goal.task.last_stretch != 0.0) return false;
-    const auto [first, last] = goal.task.curvatures;
-    if (task_.steering == Steering::continuous && first != last) return false;
-    if (goal.task.hitch_angles.start != goal.task.hitch_angles.goal) return false;
-    return reeds_shepp_length(task_.start, goal.task.goal, task_.vehicle.min_turning_radius) == 0.0;
+    return task_.moving.empty() && is_there(goal.task);
   }
 
   void take_path(Candidate& goal) {
@@ -437,6 +412,7 @@ class SetRun {
   double time_price_;
   const SearchTo& search_to_;
   Pricing pricing_;
+  SetBounds bounds_;
   search::Budget budget_;
   std::deque<Candidate> candidates_;
   std::size_t looked_at_ = 0;  // goals looked at

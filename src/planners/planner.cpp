@@ -33,6 +33,7 @@ std::optional<PlannerAnswer> settled(const Task& task) {
     return answer;
   }
   if (!task.moving.empty()) return std::nullopt;  // an obstacle may come by
+  if (!task.via.empty()) return std::nullopt;
   if (task.hitch_angles.start != task.hitch_angles.goal) return std::nullopt;
   const double radius = task.vehicle.min_turning_radius;
   if (reeds_shepp_length(task.start, task.goal, radius) > 0.0) return std::nullopt;
@@ -40,6 +41,21 @@ std::optional<PlannerAnswer> settled(const Task& task) {
   answer.segments.emplace();
   answer.anytime.push_back({});
   return answer;
+}
+
+/// Whether paths of a task are made of legs that are planned one by one.
+bool has_legs(const Task& task) {
+  return !task.via.empty() || std::ranges::any_of(task.goal_set, [](const GoalRegion& region) {
+    return region.straight > 0.0;
+  });
+}
+
+/// The region of the one goal of a task. What passes vias is planned to sets of goals.
+GoalRegion region_of_goal(const Task& task) {
+  GoalRegion region = region_of_pose(task.goal);
+  region.curvature = task.curvatures.goal;
+  region.hitch_angle = {task.hitch_angles.goal, task.hitch_angles.goal};
+  return region;
 }
 
 /// The claims about a path that the judge checks.
@@ -66,6 +82,7 @@ void judge(const Problem& problem, const PlanOptions& options, PlanResult& resul
   result.check = check_path(problem, *result.path, claims_of(result, options));
   result.reason = result.check->reason;
   result.goal = result.check->goal;
+  result.via = result.check->via;
   if (result.check->valid) result.reason = fault_of_times(problem, options, result);
   if (result.reason.empty()) {
     if (result.anytime.empty()) {  // the planner keeps no trace
@@ -78,6 +95,7 @@ void judge(const Problem& problem, const PlanOptions& options, PlanResult& resul
   }
   result.status = PlanStatus::rejected;
   result.goal.reset();
+  result.via.clear();
   result.path.reset();
   result.speeds.reset();
   result.anytime.clear();
@@ -149,10 +167,12 @@ PlanResult plan(const Problem& problem, const Planner& planner, const PlanOption
   planning::expect_gears_in_zones(planner, problem.world()->local().zones);
   const PlanOptions all = complete(planner, options, problem.vehicle());
   const search::Budget clock(all.budget);
-  const Task task = task_of(problem, all.clearance, *all.steering);
+  Task task = task_of(problem, all.clearance, *all.steering);
   std::optional<PlannerAnswer> answer = settled(task);
+  if (!task.via.empty() && task.goal_set.empty()) task.goal_set = {region_of_goal(task)};
   if (!answer) {
-    const bool takes_task = task.goal_set.empty() || planner.can(Capability::goal_sets);
+    const bool takes_task = (task.goal_set.empty() || planner.can(Capability::goal_sets)) &&
+                            (!has_legs(task) || planner.can(Capability::via));
     const double time_price = task.moving.empty() ? 0.0 : in_time::time_price;
     answer = takes_task ? planner.function(task, all)
                         : planning::plan_to_set(task, all, time_price,

@@ -30,7 +30,7 @@ double missing(std::span<const Segment> segments, double least) {
 }
 
 /// The rule for a part of a longer drive: gears that go on beyond its ends count.
-search::CostRule between(const Task& task, search::CostRule rule) {
+search::CostRule with_gears_beyond(const Task& task, search::CostRule rule) {
   if (task.beyond.start != 0) rule.initial_gear = task.beyond.start;
   rule.final_gear = task.beyond.goal;
   return rule;
@@ -52,8 +52,8 @@ double price_of_lack(std::span<const Segment> segments, double least) {
 
 Pricing::Pricing(const Task& task, const CostOptions& cost, double time_price, double min_stroke)
     : task_(task),
-      prices_(between(task, search::cost_rule(cost, task))),
-      rule_(between(task, rule_of(task, cost, time_price))),
+      prices_(with_gears_beyond(task, search::cost_rule(cost, task))),
+      rule_(with_gears_beyond(task, rule_of(task, cost, time_price))),
       is_time_(cost.measure == CostMeasure::time),
       time_price_(time_price),
       min_stroke_(min_stroke) {}

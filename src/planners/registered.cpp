@@ -21,8 +21,11 @@ PlannerAnswer plan_by_default(const Task& task, const PlanOptions& options,
                               const anytime::Given& given) {
   if (!task.moving.empty()) return in_time::plan(task, options, given.sources);
   if (task.goal_set.empty()) return anytime::plan_anytime(task, options, given);
-  const auto search_to = [&given](const Task& to, const PlanOptions& round, const Path* nearby) {
-    const Path* const known = nearby != nullptr ? nearby : given.known;
+  const auto search_to = [&given, &task](const Task& to, const PlanOptions& round,
+                                         const Path* nearby) {
+    // A whole path is no way from one via to the next.
+    const Path* const whole = task.via.empty() ? given.known : nullptr;
+    const Path* const known = nearby != nullptr ? nearby : whole;
     return anytime::drive_search(to, round, 0.0, {.known = known, .sources = given.sources});
   };
   return plan_to_set(task, options, 0.0, search_to);
@@ -36,7 +39,7 @@ Planner anytime_planner() {
                                           Capability::steering, Capability::steering_of_rigs,
                                           Capability::threads, Capability::target_gap,
                                           Capability::moving, Capability::trailers,
-                                          Capability::goal_sets},
+                                          Capability::goal_sets, Capability::via},
                          .style = Style::driver,
                          .anytime = true},
           .options = {region_option(), anytime::min_stroke_option()},

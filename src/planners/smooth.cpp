@@ -178,11 +178,14 @@ void expect_finite(const Path& path) {
 /// The problem with one goal in place of its set: the goal of the set where the path ends, or else
 /// the end of the path.
 Problem to_end_of(const Problem& problem, const Path& path) {
-  if (problem.goal_set().empty() || !problem.task().moving.empty()) return problem;
+  const bool has_set = !problem.goal_set().empty();
+  if ((!has_set && problem.via().empty()) || !problem.task().moving.empty()) return problem;
   State end{path.start, problem.hitch_angles().start};
   for (const Segment& segment : path.segments) end = advance(problem.vehicle(), end, segment);
   const std::optional<ReachedGoal> goal = check_path(problem, path).goal;
-  const double curvature = goal ? problem.goal_set()[goal->index].curvature : 0.0;
+  const double curvature = goal      ? problem.goal_set()[goal->index].curvature
+                           : has_set ? 0.0
+                                     : problem.curvatures().goal;
   return make_problem(problem.world(), problem.vehicle(), problem.start(),
                       goal ? goal->pose : end.pose, {problem.curvatures().start, curvature},
                       {problem.hitch_angles().start, end.hitch_angle});

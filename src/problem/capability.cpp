@@ -37,6 +37,8 @@ constexpr std::string_view capability_name(Capability capability) noexcept {
       return "trailers";
     case Capability::goal_sets:
       return "goal_sets";
+    case Capability::via:
+      return "via";
   }
   return "";
 }

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "replanning/judging.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/text.h"
@@ -24,7 +25,12 @@ Verdict verdict_of(DriveCheck check) {
 Problem Judging::problem_of(const CutDrive& drive, bool reaches_goal) const {
   const Path& path = drive.drive.path;
   if (reaches_goal) {
-    return with_moving(problem_from(scene_, scene_.vehicle, drive.begin), scene_.moving);
+    // On the last stretch the rest of it is asked for.
+    Scene scene = scene_;
+    for (GoalRegion& region : scene.goal_set) {
+      region.straight = std::min(region.straight, length(path));
+    }
+    return with_moving(problem_from(scene, scene.vehicle, drive.begin), scene.moving);
   }
   const RigMotion end{{.pose = end_pose(path)},
                       hitch_angle_after(scene_.vehicle, drive.begin.hitch_angle, path.segments)};

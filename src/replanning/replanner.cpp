@@ -54,6 +54,9 @@ class Replanner::Impl {
       : options_(options), problem_(make_problem(scenario)), ground_(*problem_.world()) {
     check_options(options);
     check_vehicle_of(scenario);
+    if (!scenario.via.empty()) {
+      throw InputError("via", "is given, expected none: replanning drives to the goal alone");
+    }
     const Task& task = problem_.task();
     scene_.vehicle = task.vehicle;
     scene_.planned = driving::with_reserve(task.vehicle, options.reserve);

@@ -383,6 +383,21 @@ TEST(GoalSet, EndsStraightInTheGearThatIsAllowed) {
   }
 }
 
+// Forward on a line the trailer straightens, so before it the rig would be folded up.
+TEST(GoalSet, EndsStraightWhereARigIsNotFoldedUp) {
+  GoalRegion dock = region_of_pose({20, 4, 0});
+  dock.straight = 6;
+  dock.hitch_angle = {1.0, 1.0};
+  Scenario scenario = yard({dock});
+  scenario.vehicle = semitrailer();
+  PlanOptions options = with_iterations(is_sanitized ? 200 : 3000);
+  options.cost.gears = AllowedGears::forward;
+  EXPECT_EQ(plan(make_problem(scenario), options).status, PlanStatus::no_path);
+  options.cost.gears = AllowedGears::both;
+  const PlanResult result = plan(make_problem(scenario), options);
+  if (result.path) EXPECT_LT(result.path->segments.back().length, 0.0);
+}
+
 TEST(GoalSet, EndsStraightByEveryPlanner) {
   GoalRegion dock = region_of_pose({30, 10, 0});
   dock.straight = 6;

@@ -269,8 +269,8 @@ Raises InputError naming the argument that is wrong.)");
            "start_curvature"_a = 0.0, "goal_curvature"_a = 0.0, "start_hitch_angle"_a = 0.0,
            "goal_hitch_angle"_a = 0.0, "name"_a = "scenario", "options"_a = py::dict(),
            "moving"_a = std::vector<MovingObstacle>{}, "inside"_a = py::tuple(),
-           "zones"_a = std::vector<Zone>{}, "masks"_a = std::vector<Mask>{},
-           "via"_a = py::tuple(), "grid"_a = py::none())
+           "zones"_a = std::vector<Zone>{}, "masks"_a = std::vector<Mask>{}, "via"_a = py::tuple(),
+           "grid"_a = py::none())
       .def("with_poses", &moved, "start"_a = py::none(), "goal"_a = py::none(),
            R"(with_poses(start=None, goal=None) -> Scenario
 
@@ -280,6 +280,14 @@ Copy with another start or goal, and without vias. It shares the world, so nothi
 
 Copy with these `MovingObstacle` objects in place of the old ones. It shares the world, so nothing
 is built again.)")
+      .def(
+          "with_via",
+          [](const CheckedScenario& self, const py::iterable& via) {
+            return self.with_via(via_from(via));
+          },
+          "via"_a, R"(with_via(via) -> Scenario
+
+Copy with these vias in place of the old ones, as for `Scenario`. It shares the world.)")
       .def(
           "to_yaml", [](const CheckedScenario& self) { return to_yaml(self.file()); },
           "to_yaml() -> str\n\nText of a scenario file. A map is only named; `save` writes it "
@@ -369,14 +377,24 @@ CheckedScenario CheckedScenario::with_goal_set(const Pose& start,
   return other;
 }
 
-CheckedScenario CheckedScenario::with_moving(const std::vector<MovingObstacle>& moving) const {
+CheckedScenario CheckedScenario::with(Problem problem, Scenario scenario) const {
   CheckedScenario other = *this;
-  other.problem_ = std::make_shared<const Problem>(vandplan::with_moving(problem(), moving));
-  Scenario changed = scenario();
-  changed.moving = moving;
-  other.scenario_ = std::make_shared<const Scenario>(std::move(changed));
+  other.problem_ = std::make_shared<const Problem>(std::move(problem));
+  other.scenario_ = std::make_shared<const Scenario>(std::move(scenario));
   other.ends_.reset();
   return other;
+}
+
+CheckedScenario CheckedScenario::with_moving(const std::vector<MovingObstacle>& moving) const {
+  Scenario changed = scenario();
+  changed.moving = moving;
+  return with(vandplan::with_moving(problem(), moving), std::move(changed));
+}
+
+CheckedScenario CheckedScenario::with_via(const std::vector<Via>& via) const {
+  Scenario changed = scenario();
+  changed.via = via;
+  return with(vandplan::with_via(problem(), via), std::move(changed));
 }
 
 void bind_scenario(py::module_& module) {

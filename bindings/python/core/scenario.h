@@ -41,6 +41,9 @@ class CheckedScenario {
   /// Copy with other moving obstacles.
   [[nodiscard]] CheckedScenario with_moving(const std::vector<MovingObstacle>& moving) const;
 
+  /// Copy with other vias.
+  [[nodiscard]] CheckedScenario with_via(const std::vector<Via>& via) const;
+
   /// Content of a scenario file.
   [[nodiscard]] ScenarioFile file() const { return {.scenario = scenario(), .options = options_}; }
 
@@ -50,6 +53,9 @@ class CheckedScenario {
     Pose goal;
     EndCurvatures curvatures;
   };
+  /// Copy with this problem, of this scenario.
+  [[nodiscard]] CheckedScenario with(Problem problem, Scenario scenario) const;
+
   mutable std::shared_ptr<const Scenario> scenario_;
   /// Ends of the scenario where they differ from `scenario_`.
   mutable std::optional<Ends> ends_ = {};

@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/search_via.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "planners/last_stretch.h"
+#include "planners/pricing.h"
+#include "planners/via_chain.h"
+#include "problem/goal_set.h"
+#include "steering/words.h"
+#include "vandplan/search.h"
+
+namespace vandplan::planning {
+namespace {
+
+constexpr double no_cost = std::numeric_limits<double>::infinity();
+constexpr std::int64_t work_of_turn = 256;  // iterations of a leg in one turn
+constexpr std::int64_t patience_of_leg =
+    20'000;  // iterations after which a leg without a path is given up
+constexpr std::int64_t chance_of_trial = 256;  // most iterations of each leg of a trial
+constexpr double first_step_beside = 0.125;    // first step beside a node [share of its intervals]
+constexpr double last_step_beside = 5e-4;      // last step
+constexpr double worth_trying = 1.15;  // other poses are tried up to so many times the straight way
+constexpr double same_curvature = 2e-7;  // difference that is rounding, times the turning radius
+
+/// The way between two neighbours of a chain, and the search for it.
+struct ViaLeg {
+  explicit ViaLeg(Task of) : task(std::move(of)) {}
+
+  Task task;
+  std::unique_ptr<PathSearch> search = {};
+  std::optional<std::vector<Segment>> path = {};
+  std::int64_t spent = 0;
+  bool is_done = false;
+  bool is_closed = false;   // whether it is proven that there is no path
+  std::string reason = {};  // why there is no path; or empty
+};
+
+using LegPointer = std::shared_ptr<ViaLeg>;
+
+/// Another node in the place of one of the chain, with the legs to it and from it.
+struct ViaTrial {
+  std::size_t via;
+  ViaNode node;
+  LegPointer to, from;
+};
+
+class ViaSearch final : public PathSearch {
+ public:
+  ViaSearch(const Task& task, const PlanOptions& options, double time_price,
+            const SearchTo& search_to)
+      : task_(task),
+        options_(options),
+        search_to_(search_to),
+        pricing_(task, options.cost, time_price),
+        budget_(options.budget),
+        nodes_(task, pricing_.rule()) {
+    options_.budget.max_iterations.reset();
+    if (!nodes_.empty_via()) begin_chain();
+  }
+
+  bool advance(std::int64_t most) override {
+    if (chain_.empty() || most <= 0 || budget_.is_interrupted()) return false;
+    const std::int64_t share = std::min(most, work_of_turn);
+    if (!best_) return find(share);
+    const bool is_turn_of_trial = spent_on_trials_ <= spent_on_legs_;
+    if (is_turn_of_trial && (trial_ || begin_trial())) {
+      try_on(share);
+      return true;
+    }
+    ViaLeg* const leg = leg_with_least_work();
+    if (leg != nullptr) {
+      spent_on_legs_ += go_on(*leg, share);
+      take();
+      return true;
+    }
+    if (!trial_ && !begin_trial()) return false;
+    try_on(share);
+    return true;
+  }
+
+  [[nodiscard]] std::optional<std::vector<Segment>> path() override { return best_; }
+  [[nodiscard]] std::int64_t iterations() const override { return iterations_; }
+
+  [[nodiscard]] PlannerAnswer answer() override {
+    PlannerAnswer answer{.status = PlanStatus::solved, .iterations = iterations_};
+    if (best_) {
+      answer.segments = best_;
+      answer.anytime = trace_;
+      return answer;
+    }
+    answer.status = PlanStatus::iteration_limit;
+    answer.reason = reason_;
+    if (const std::optional<std::size_t> via = nodes_.empty_via()) {
+      answer.reason = "none of the " + std::to_string(nodes_.looked_at(*via)) + " poses of via[" +
+                      std::to_string(*via) + "] that were looked at is free";
+      if (nodes_.are_all()) answer.status = PlanStatus::no_path;
+    } else if (chain_.empty() && is_proven_ && nodes_.are_all()) {
+      answer.status = PlanStatus::no_path;
+    }
+    return answer;
+  }
+
+ private:
+  // ---- Legs ----
+
+  /// The leg that leads to node `via` of a chain, or to the goal.
+  [[nodiscard]] LegPointer leg_to(const std::vector<ViaNode>& chain, std::size_t via) const {
+    Task leg = task_;
+    leg.via.clear();
+    if (via > 0) {
+      const ViaNode& from = chain[via - 1];
+      const State& state = from.state;
+      leg.start = Local(state.pose);
+      leg.hitch_angles.start = state.hitch_angle;
+      leg.curvatures.start = from.curvature;
+      leg.beyond.start = from.gear;
+    }
+    if (via < chain.size()) {
+      const ViaNode& to = chain[via];
+      const State& state = to.state;
+      leg.goal = Local(state.pose);
+      leg.hitch_angles.goal = state.hitch_angle;
+      leg.curvatures.goal = to.curvature;
+      leg.beyond.goal = to.gear;
+    }
+    problem::tell_ends_apart(leg);
+    return std::make_shared<ViaLeg>(std::move(leg));
+  }
+
+  /// Goes on with a leg; the number of iterations. `known`: path to a place nearby, or null.
+  std::int64_t go_on(ViaLeg& leg, std::int64_t most, const ViaLeg* known = nullptr) {
+    if (is_there(leg.task)) {
+      leg.path.emplace();
+      leg.is_done = true;
+      return 0;
+    }
+    if (!leg.search) {
+      PlanOptions options = options_;
+      if (options.budget.time_limit) {
+        *options.budget.time_limit = std::max(*options.budget.time_limit - budget_.elapsed(), 0.0);
+      }
+      if (leg.task.beyond.start != 0) {
+        options.cost.initial_gear =
+            leg.task.beyond.start > 0 ? InitialGear::forward : InitialGear::reverse;
+      }
+      std::optional<Path> along;
+      if (known != nullptr && known->path) along = Path{known->task.start, *known->path};
+      leg.search = search_to_(leg.task, options, along ? &*along : nullptr);
+    }
+    const std::int64_t before = leg.search->iterations();
+    leg.is_done = !leg.search->advance(most);
+    const std::int64_t work = std::max<std::int64_t>(leg.search->iterations() - before, 1);
+    leg.spent += work;
+    iterations_ += work;
+    leg.path = leg.search->path();
+    if (leg.is_done && !leg.path) {
+      const PlannerAnswer answer = leg.search->answer();
+      leg.is_closed = answer.status == PlanStatus::no_path;
+      leg.reason = answer.reason;
+    }
+    return work;
+  }
+
+  [[nodiscard]] ViaLeg* leg_with_least_work() const {
+    ViaLeg* least = nullptr;
+    for (const LegPointer& leg : legs_) {
+      if (!leg->is_done && (least == nullptr || leg->spent < least->spent)) least = leg.get();
+    }
+    return least;
+  }
+
+  // ---- The first chain that can be driven ----
+
+  void begin_chain() {
+    legs_.clear();
+    chain_.clear();
+    const std::optional<std::vector<ViaNode>> chain = nodes_.best_chain();
+    if (!chain) return;
+    chain_ = *chain;
+    for (std::size_t i = 0; i <= chain_.size(); ++i) legs_.push_back(leg_to(chain_, i));
+  }
+
+  /// Goes on with the first leg without a path, or with one whose wheels would have to jump. One
+  /// that seems to have none is given up.
+  bool find(std::int64_t most) {
+    take();
+    if (best_) return true;
+    std::size_t i = 0;
+    while (i < legs_.size() && legs_[i]->path && (i == 0 || fits_behind(i))) ++i;
+    if (i == legs_.size()) return false;  // an endless cost
+    ViaLeg& leg = *legs_[i];
+    const bool has_failed = leg.is_done || leg.spent > patience_of_leg;
+    if (!has_failed) {
+      spent_on_legs_ += go_on(leg, most);
+      return true;
+    }
+    is_proven_ = is_proven_ && leg.is_closed;
+    if (!leg.reason.empty()) {
+      const std::string to = i == chain_.size() ? "the goal" : "via[" + std::to_string(i) + "]";
+      reason_ = "on the way to " + to + ": " + leg.reason;
+    }
+    nodes_.give_up(i, i == 0 ? 0 : chain_[i - 1].number, i == chain_.size() ? 0 : chain_[i].number);
+    begin_chain();
+    return !chain_.empty();
+  }
+
+  /// Whether leg `i` fits behind the one before it.
+  [[nodiscard]] bool fits_behind(std::size_t i) const {
+    const ViaLeg& before = *legs_[i - 1];
+    return before.path->empty() || legs_[i]->path->empty() || fits(before.path->back(), *legs_[i]);
+  }
+
+  // ---- Better nodes ----
+
+  /// The path along some legs; none if one has no path, or the wheels would have to jump.
+  [[nodiscard]] std::optional<std::vector<Segment>> joined(std::span<const LegPointer> legs) const {
+    std::vector<Segment> whole;
+    for (const LegPointer& leg : legs) {
+      if (!leg->path) return std::nullopt;
+      if (!whole.empty() && !leg->path->empty() && !fits(whole.back(), *leg)) return std::nullopt;
+      whole.insert(whole.end(), leg->path->begin(), leg->path->end());
+    }
+    return whole;
+  }
+
+  [[nodiscard]] bool fits(const Segment& before, const ViaLeg& leg) const {
+    const Segment& next = leg.path->front();
+    const bool rolls = leg.task.beyond.start != 0 && before.length * next.length > 0.0;
+    const bool may_jump = task_.steering == Steering::reeds_shepp ||
+                          (task_.steering == Steering::continuous_between_stops && !rolls);
+    const double jump = next.curvature - search::last_driven(before).curvature;
+    return may_jump || std::abs(jump) * task_.vehicle.min_turning_radius <= same_curvature;
+  }
+
+  [[nodiscard]] double cost_of(const std::optional<std::vector<Segment>>& path) const {
+    return path ? pricing_.cost(*path, search::ClearanceSampling::search) : no_cost;
+  }
+
+  /// Takes the path along the chain if it is better than the best so far.
+  void take() {
+    std::optional<std::vector<Segment>> path = joined(legs_);
+    const double cost = cost_of(path);
+    if (!path || cost >= cost_) return;
+    best_ = std::move(path);
+    cost_ = cost;
+    trace_.push_back({budget_.elapsed(), iterations_, cost});
+  }
+
+  /// Begins to try the next node. False if there is none left.
+  bool begin_trial() {
+    while (waiting_.empty()) {
+      if (step_ < last_step_beside || chain_.empty()) return false;
+      for (std::size_t via = 0; via < chain_.size(); ++via) {
+        if (is_first_round_) {
+          for (const ViaNode& node : nodes_.others(chain_, via, worth_trying)) {
+            waiting_.push_back({via, node});
+          }
+        }
+        for (const ViaNode& node : nodes_.beside(chain_, via, step_)) {
+          waiting_.push_back({via, node});
+        }
+      }
+      is_first_round_ = false;
+      if (!has_gained_) step_ /= 2;
+      has_gained_ = false;
+    }
+    const auto [via, node] = waiting_.front();
+    waiting_.pop_front();
+    std::vector<ViaNode> chain = chain_;
+    chain[via] = node;
+    trial_ = ViaTrial{via, node, leg_to(chain, via), leg_to(chain, via + 1)};
+    return true;
+  }
+
+  /// Goes on with a trial. Once its legs have had their chance, it replaces the node or is dropped.
+  void try_on(std::int64_t most) {
+    ViaTrial& trial = *trial_;
+    const std::size_t via = trial.via;
+    for (const bool is_to : {true, false}) {
+      ViaLeg& leg = is_to ? *trial.to : *trial.from;
+      const LegPointer& old = legs_[is_to ? via : via + 1];
+      const std::int64_t chance = std::clamp(old->spent, work_of_turn, chance_of_trial);
+      if (leg.is_done || leg.spent >= chance) continue;
+      spent_on_trials_ += std::max<std::int64_t>(go_on(leg, most, old.get()), 1);
+      return;
+    }
+    std::vector<LegPointer> legs = legs_;
+    legs[via] = trial.to;
+    legs[via + 1] = trial.from;
+    if (cost_of(joined(legs)) < cost_) {
+      legs_ = std::move(legs);
+      chain_[via] = trial.node;
+      has_gained_ = true;
+      take();
+    }
+    trial_.reset();
+  }
+
+  const Task& task_;
+  PlanOptions options_;
+  SearchTo search_to_;
+  Pricing pricing_;
+  search::Budget budget_;
+  ViaNodes nodes_;
+  std::vector<ViaNode> chain_;                // empty if there is no chain left
+  std::vector<LegPointer> legs_;              // legs of the chain, one more than nodes
+  std::optional<std::vector<Segment>> best_;  // best path so far
+  double cost_ = no_cost;
+  std::vector<CostSample> trace_;
+  std::int64_t iterations_ = 0, spent_on_legs_ = 0, spent_on_trials_ = 0;
+  std::string reason_;     // why the last leg that was given up has no path
+  bool is_proven_ = true;  // whether all legs that were given up are proven to have no path
+  std::deque<std::pair<std::size_t, ViaNode>> waiting_;  // nodes to try, with their vias
+  std::optional<ViaTrial> trial_;
+  double step_ = first_step_beside;
+  bool is_first_round_ = true;
+  bool has_gained_ = false;  // whether a trial of this round was better
+};
+
+/// Box around all places of the rear axle in some regions, up to the judge's tolerance.
+Bounds box_of(const Task& task, std::span<const GoalRegion> set) {
+  Bounds box{no_cost, -no_cost, no_cost, -no_cost};
+  for (const GoalRegion& region : set) {
+    const Bounds of = region.area.empty()
+                          ? Bounds{region.x.least, region.x.most, region.y.least, region.y.most}
+                          : bounding_box(region.area);
+    double reach = steering::judged.position;
+    if (region.is_of_trailer && task.vehicle.trailer) {
+      reach += task.vehicle.trailer->wheelbase + std::abs(task.vehicle.hitch);
+    }
+    box = {std::min(box.x_min, of.x_min - reach), std::max(box.x_max, of.x_max + reach),
+           std::min(box.y_min, of.y_min - reach), std::max(box.y_max, of.y_max + reach)};
+  }
+  return box;
+}
+
+double gap_between(const Bounds& a, const Bounds& b) {
+  const double dx = std::max({a.x_min - b.x_max, b.x_min - a.x_max, 0.0});
+  const double dy = std::max({a.y_min - b.y_max, b.y_min - a.y_max, 0.0});
+  return std::hypot(dx, dy);
+}
+
+}  // namespace
+
+double length_lower_bound_via(const Task& task) {
+  const auto around = [](const Pose& pose) {
+    constexpr double off = steering::judged.position;
+    return Bounds{pose.x - off, pose.x + off, pose.y - off, pose.y + off};
+  };
+  std::vector<Bounds> boxes = {around(task.start)};
+  for (const Via& via : task.via) boxes.push_back(box_of(task, via.any_of));
+  boxes.push_back(task.goal_set.empty() ? around(task.goal) : box_of(task, task.goal_set));
+  double sum = 0.0;
+  for (std::size_t i = 1; i < boxes.size(); ++i) sum += gap_between(boxes[i - 1], boxes[i]);
+  return sum;
+}
+
+std::unique_ptr<PathSearch> search_via(const Task& task, const PlanOptions& options,
+                                       double time_price, const Path* known,
+                                       const SearchTo& search_to) {
+  if (task.via.empty()) return search_to(task, options, known);
+  return std::make_unique<ViaSearch>(task, options, time_price, search_to);
+}
+
+}  // namespace vandplan::planning

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/set_bounds.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "planners/anytime/cost_bound.h"
+#include "planners/goal_poses.h"
+#include "planners/rig/towed.h"
+#include "planners/search_via.h"
+
+namespace vandplan::planning {
+namespace {
+
+constexpr std::size_t halvings_of_set = 20'000;  // halvings of parts of all regions
+
+}  // namespace
+
+SetBounds::SetBounds(const Task& task, const CostOptions& cost, double time_price)
+    : task_(task), cost_(cost), time_price_(time_price), pricing_(task, cost, time_price) {}
+
+double SetBounds::to(const Task& to) const {
+  const Pricing pricing(to, cost_, time_price_);
+  const double straight_there = to.vehicle.trailer ? rig::cost_lower_bound(to, pricing)
+                                                   : anytime::CostBound(to, pricing).least({});
+  return std::max(straight_there, past_vias(to));
+}
+
+double SetBounds::to_regions() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t region = 0; region < task_.goal_set.size(); ++region) {
+    if (!is_continuous(task_.goal_set[region])) continue;
+    const double length =
+        length_lower_bound_to(task_, region, halvings_of_set / task_.goal_set.size());
+    least = std::min(least, of_length(length));
+  }
+  return std::max(least, past_vias(task_));
+}
+
+/// Bound of paths that are at least `length` metres long.
+double SetBounds::of_length(double length) const {
+  const anytime::OpenGround ground{length, length, length, 0.0};
+  return pricing_.counts_time() ? pricing_.cost_lower_bound(length, length)
+                                : anytime::cost_lower_bound(ground, pricing_.rule(), 0.0);
+}
+
+double SetBounds::past_vias(const Task& to) const {
+  return to.via.empty() ? 0.0 : of_length(length_lower_bound_via(to));
+}
+
+}  // namespace vandplan::planning

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/via_chain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "vandplan/steering.h"
+
+namespace vandplan::planning {
+namespace {
+
+constexpr double no_way = std::numeric_limits<double>::infinity();
+constexpr std::size_t max_nodes_of_region = 16;  // poses of a region with intervals
+constexpr std::size_t max_nodes_of_via = 64;     // poses of all regions of a via, but two of each
+/// Change of a curvature beside, in shares of the tightest curvature, for a share of intervals.
+constexpr double share_of_curvature = 4.0;
+
+}  // namespace
+
+ViaNodes::ViaNodes(const Task& task, const search::CostRule& rule) : task_(task), rule_(rule) {
+  for (const Via& via : task.via) {
+    Task& alone = tasks_.emplace_back(task);
+    alone.via.clear();
+    alone.goal_set = via.any_of;
+    const std::size_t index = nodes_.size();
+    std::vector<ViaNode>& nodes = nodes_.emplace_back();
+    std::size_t& looked_at = looked_at_.emplace_back(0);
+    const std::size_t regions = via.any_of.size();
+    const std::size_t most =
+        std::clamp<std::size_t>(max_nodes_of_via / regions, 2, max_nodes_of_region);
+    for (std::size_t region = 0; region < regions; ++region) {
+      spread(alone, region, most, [&](const GoalPoint& point) {
+        ++looked_at;
+        const ViaNode node{.point = point, .state = state_of(alone, point)};
+        if (!is_free(node)) return false;
+        add_gears(index, node, nodes);
+        return true;
+      });
+    }
+  }
+}
+
+bool ViaNodes::is_free(const ViaNode& node) const { return task_.checker->is_free(node.state); }
+
+/// Adds a node for each gear in which the vehicle may drive through; one if it stands there.
+void ViaNodes::add_gears(std::size_t via, const ViaNode& node, std::vector<ViaNode>& nodes) const {
+  for (const search::GearSign gear : {1, -1}) {
+    if (!task_.via[via].stop && !rule_.allows(gear)) continue;
+    ViaNode& added = nodes.emplace_back(node);
+    added.number = nodes.size() - 1;
+    if (task_.via[via].stop) return;
+    added.gear = gear;
+  }
+}
+
+std::optional<std::size_t> ViaNodes::empty_via() const {
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (nodes_[i].empty()) return i;
+  }
+  return std::nullopt;
+}
+
+bool ViaNodes::are_all() const {
+  return std::ranges::all_of(task_.via, [](const Via& via) {
+    return via.any_of.size() <= max_nodes_of_via / 2 &&
+           std::ranges::none_of(via.any_of, is_continuous);
+  });
+}
+
+double ViaNodes::estimate(const LocalState& from, const LocalState& to) const {
+  const State& begin = from;
+  const State& end = to;
+  return reeds_shepp_length(begin.pose, end.pose, task_.vehicle.min_turning_radius);
+}
+
+// Dynamic programming, via by via.
+std::optional<std::vector<ViaNode>> ViaNodes::best_chain() const {
+  std::vector<double> lengths = {0.0};
+  std::vector<LocalState> before = {start_state(task_)};
+  std::vector<std::vector<std::size_t>> from;
+  for (std::size_t via = 0; via <= nodes_.size(); ++via) {
+    const bool is_goal = via == nodes_.size();
+    const std::size_t count = is_goal ? 1 : nodes_[via].size();
+    std::vector<double> next(count, no_way);
+    std::vector<LocalState> states;
+    from.emplace_back(count, 0);
+    for (std::size_t to = 0; to < count; ++to) {
+      states.push_back(is_goal ? goal_state(task_) : nodes_[via][to].state);
+      for (std::size_t i = 0; i < before.size(); ++i) {
+        if (lost_.contains({via, i, to})) continue;
+        const double length = lengths[i] + estimate(before[i], states[to]);
+        if (length >= next[to]) continue;
+        next[to] = length;
+        from.back()[to] = i;
+      }
+    }
+    lengths = std::move(next);
+    before = std::move(states);
+  }
+  if (!(lengths[0] < no_way)) return std::nullopt;
+  std::vector<ViaNode> chain(nodes_.size());
+  std::size_t at = 0;
+  for (std::size_t via = nodes_.size(); via > 0; --via) {
+    at = from[via][at];
+    chain[via - 1] = nodes_[via - 1][at];
+  }
+  return chain;
+}
+
+/// Way from the node before through a state to the node behind [m].
+double ViaNodes::way_through(const std::vector<ViaNode>& chain, std::size_t via,
+                             const LocalState& state) const {
+  const LocalState before = via == 0 ? start_state(task_) : chain[via - 1].state;
+  const LocalState behind = via + 1 == chain.size() ? goal_state(task_) : chain[via + 1].state;
+  return estimate(before, state) + estimate(state, behind);
+}
+
+std::vector<ViaNode> ViaNodes::beside(const std::vector<ViaNode>& chain, std::size_t via,
+                                      double share) const {
+  const ViaNode& node = chain[via];
+  std::vector<ViaNode> found;
+  for (const GoalPoint& point : planning::beside(tasks_[via], node.point, share)) {
+    ViaNode other = node;
+    other.point = point;
+    other.state = state_of(tasks_[via], point);
+    if (is_in_region(tasks_[via], point) && is_free(other)) found.push_back(other);
+  }
+  if (node.gear == 0) return found;
+  if (task_.steering != Steering::reeds_shepp) {
+    const double sharpest = (1 - 1e-9) / search::continuous_radius(task_.vehicle);
+    for (const double step : {share, -share}) {
+      ViaNode other = node;
+      other.curvature =
+          std::clamp(node.curvature + share_of_curvature * step * sharpest, -sharpest, sharpest);
+      if (other.curvature != node.curvature) found.push_back(other);
+    }
+  }
+  return found;
+}
+
+std::vector<ViaNode> ViaNodes::others(const std::vector<ViaNode>& chain, std::size_t via,
+                                      double slack) const {
+  const ViaNode& node = chain[via];
+  const double most = slack * way_through(chain, via, node.state);
+  std::vector<std::pair<double, ViaNode>> ranked;
+  for (const ViaNode& other : nodes_[via]) {
+    const bool is_same = other.point == node.point && other.gear == node.gear;
+    const double way = way_through(chain, via, other.state);
+    if (!is_same && way <= most) ranked.emplace_back(way, other);
+  }
+  std::ranges::stable_sort(ranked, {}, [](const auto& entry) { return entry.first; });
+  std::vector<ViaNode> found;
+  for (const auto& [way, other] : ranked) found.push_back(other);
+  return found;
+}
+
+}  // namespace vandplan::planning

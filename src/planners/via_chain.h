@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// At which poses does a path pass its vias, and what joins them?
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "planners/goal_poses.h"
+#include "planners/path_search.h"
+#include "vandplan/problem.h"
+#include "vandplan/search.h"
+
+namespace vandplan::planning {
+
+/// A pose at which a path passes a via.
+struct ViaNode {
+  GoalPoint point = {};
+  LocalState state = {};
+  search::GearSign gear = 0;  ///< gear in which the vehicle drives through; 0: it stands there
+  double curvature = 0.0;     ///< curvature with which it drives through [1/m]
+  std::size_t number = 0;     ///< number among the nodes of its via
+};
+
+/// The nodes of all vias, and which of them a path should take.
+class ViaNodes {
+ public:
+  /// Free poses of each via, evenly spread. The task outlives the nodes. `rule`: prices.
+  ViaNodes(const Task& task, const search::CostRule& rule);
+
+  /// Index of the first via without a free pose; none if each has one.
+  [[nodiscard]] std::optional<std::size_t> empty_via() const;
+  /// Number of poses of a via that were looked at.
+  [[nodiscard]] std::size_t looked_at(std::size_t via) const { return looked_at_[via]; }
+  /// Whether all vias are single poses, all of which are nodes.
+  [[nodiscard]] bool are_all() const;
+
+  /// The chain of one node of each via that seems shortest, without the legs that were given up.
+  /// None if there is none.
+  [[nodiscard]] std::optional<std::vector<ViaNode>> best_chain() const;
+  /// Gives up the leg that leads to node `to` of a via from node `from` of the via before.
+  void give_up(std::size_t via, std::size_t from, std::size_t to) { lost_[{via, from, to}] = true; }
+
+  /// Free nodes beside `chain[via]`: by `share` of the intervals of its region, and with other
+  /// curvatures.
+  [[nodiscard]] std::vector<ViaNode> beside(const std::vector<ViaNode>& chain, std::size_t via,
+                                            double share) const;
+  /// Other nodes of a via, the most promising ones first: those with less than `slack` times the
+  /// straight way through `chain[via]`.
+  [[nodiscard]] std::vector<ViaNode> others(const std::vector<ViaNode>& chain, std::size_t via,
+                                            double slack) const;
+
+ private:
+  using LegKey = std::tuple<std::size_t, std::size_t, std::size_t>;
+
+  [[nodiscard]] double estimate(const LocalState& from, const LocalState& to) const;
+  [[nodiscard]] double way_through(const std::vector<ViaNode>& chain, std::size_t via,
+                                   const LocalState& state) const;
+  [[nodiscard]] bool is_free(const ViaNode& node) const;
+  void add_gears(std::size_t via, const ViaNode& node, std::vector<ViaNode>& nodes) const;
+
+  const Task& task_;
+  search::CostRule rule_;
+  std::vector<Task> tasks_;  // of each via: a task with the via as its set of goals
+  std::vector<std::vector<ViaNode>> nodes_;
+  std::vector<std::size_t> looked_at_;
+  std::map<LegKey, bool> lost_;
+};
+
+}  // namespace vandplan::planning

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// A path passes its vias, with every vehicle, steering and cost; and no metre is wasted on them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "support/cases.h"
+#include "support/problems.h"
+#include "vandplan/judge.h"
+#include "vandplan/planner.h"
+#include "vandplan/steering.h"
+
+namespace vandplan {
+namespace {
+
+using std::numbers::pi;
+
+PlanOptions with_iterations(std::int64_t iterations) {
+  PlanOptions options;
+  options.budget.max_iterations = is_sanitized ? iterations / 20 : iterations;
+  return options;
+}
+
+PlanOptions by_length(std::int64_t iterations) {
+  PlanOptions options = with_iterations(iterations);
+  options.cost = shortest_style;
+  options.steering = Steering::reeds_shepp;
+  return options;
+}
+
+Scenario yard(std::vector<Via> via, std::vector<Polygon> obstacles = {}) {
+  return {.bounds = {-60, 100, -60, 60},
+          .goal = {40, 0, 0},
+          .via = std::move(via),
+          .obstacles = std::move(obstacles)};
+}
+
+Via at(const Pose& pose, bool stop = false) { return {{region_of_pose(pose)}, stop}; }
+
+Via anyhow(double x, double y, bool stop = false) {
+  GoalRegion region = region_of_pose({x, y, 0});
+  region.heading = any_heading;
+  return {{region}, stop};
+}
+
+TEST(Via, IsPassedOnTheWay) {
+  const Problem problem = make_problem(yard({at({20, 10, 0})}));
+  const PlanResult result = plan(problem, by_length(20'000));
+  if (is_sanitized && !result.path) return;
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  ASSERT_EQ(result.via.size(), 1U);
+  EXPECT_NEAR(result.via[0].pose.y, 10, 2e-6);
+  const double radius = problem.vehicle().min_turning_radius;
+  const double legs = reeds_shepp_length({}, {20, 10, 0}, radius) +
+                      reeds_shepp_length({20, 10, 0}, {40, 0, 0}, radius);
+  EXPECT_NEAR(result.cost, legs, 1e-3 * legs);
+  EXPECT_LE(*result.lower_bound, result.cost);
+  EXPECT_GE(*result.lower_bound, 2 * std::hypot(20, 10) - 1e-4);
+}
+
+TEST(Via, CostsNothingOnTheStraightWay) {
+  for (const bool stop : {false, true}) {
+    const PlanResult result = plan(make_problem(yard({at({10, 0, 0}, stop), anyhow(30, 0, stop)})),
+                                   with_iterations(20'000));
+    if (is_sanitized && !result.path) return;
+    ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+    EXPECT_NEAR(result.cost, 40, 0.01);
+  }
+}
+
+TEST(Via, BestHeadingIsFound) {
+  const PlanResult any = plan(make_problem(yard({anyhow(20, 10)})), by_length(40'000));
+  if (is_sanitized && !any.path) return;
+  ASSERT_TRUE(any.path) << any.reason;
+  for (int i = 0; i < 12; ++i) {
+    const double heading = -pi + i * pi / 6;
+    const PlanResult one = plan(make_problem(yard({at({20, 10, heading})})), by_length(4000));
+    if (one.path) EXPECT_LE(any.cost, 1.005 * one.cost) << heading;
+  }
+}
+
+TEST(Via, IsDrivenThroughWithoutAKink) {
+  PlanOptions options = with_iterations(20'000);
+  options.steering = Steering::continuous_between_stops;
+  for (const Pose& pose : {Pose{20, 6, 0}, Pose{20, 10, 1}, Pose{10, -8, -0.5}}) {
+    const Problem problem = make_problem(yard({at(pose)}));
+    const PlanResult result = plan(problem, options);
+    if (is_sanitized && !result.path) return;
+    ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;  // so says the judge
+  }
+}
+
+TEST(Via, OrderCounts) {
+  const auto cost = [](std::vector<Via> via) {
+    return plan(make_problem(yard(std::move(via))), by_length(20'000)).cost;
+  };
+  if (is_sanitized) return;
+  const double ahead = cost({anyhow(10, 0), anyhow(30, 0)});
+  const double back = cost({anyhow(30, 0), anyhow(10, 0)});
+  EXPECT_NEAR(ahead, 40, 0.01);
+  EXPECT_NEAR(back, 80, 0.5);
+}
+
+TEST(Via, AnyOfTakesTheCheapest) {
+  Via gates = at({20, 30, 0});
+  gates.any_of.push_back(region_of_pose({20, 1, 0}));
+  const PlanResult result = plan(make_problem(yard({gates})), by_length(20'000));
+  if (is_sanitized && !result.path) return;
+  ASSERT_TRUE(result.path) << result.reason;
+  EXPECT_NEAR(result.via[0].pose.y, 1, 1e-5);
+}
+
+TEST(Via, ProvesThatOneIsBlocked) {
+  const PlanResult result =
+      plan(make_problem(yard({at({20, 20, 0})}, {box(19, 19, 21, 21)})), with_iterations(2000));
+  EXPECT_EQ(result.status, PlanStatus::no_path);
+  EXPECT_EQ(result.reason, "none of the 1 poses of via[0] that were looked at is free");
+}
+
+TEST(Via, IsPassedByEveryPlanner) {
+  const Problem problem = make_problem(yard({at({20, 6, 0}), anyhow(30, 3, true)}));
+  for (const Planner& planner : planners()) {
+    PlanOptions options = with_iterations(6000);
+    if (honours(planner, "region")) options.planner.set("region", "scene");
+    const PlanResult result = plan(problem, planner, options);
+    EXPECT_NE(result.status, PlanStatus::rejected) << planner.name << ": " << result.reason;
+  }
+}
+
+// ---- Everything together ----
+
+enum class Pulls { nothing, trailer };
+using ViaCombination = std::tuple<Pulls, Steering, CostMeasure, bool, double, bool>;
+
+class OnTheWay : public testing::TestWithParam<ViaCombination> {};
+
+std::string name_of_via(const testing::TestParamInfo<ViaCombination>& info) {
+  const auto& [who, steering, measure, has_movers, margin, stop] = info.param;
+  constexpr const char* steerings[] = {"Arcs", "BetweenStops", "Continuous"};
+  std::string name = who == Pulls::trailer ? "Rig" : "Truck";
+  name += steerings[static_cast<int>(steering)];
+  if (measure == CostMeasure::time) name += "Time";
+  if (has_movers) name += "Movers";
+  if (margin > 0) name += "Margin";
+  if (stop) name += "Stop";
+  return name;
+}
+
+TEST_P(OnTheWay, EverythingIsPlanned) {
+  const auto& [who, steering, measure, has_movers, margin, stop] = GetParam();
+  GoalRegion gate{.x = {18, 22}, .y = {8, 10}, .heading = {-0.3, 0.3}};
+  if (who == Pulls::trailer) gate.hitch_angle = {-0.2, 0.2};
+  Scenario scenario = yard({{{gate}, stop}}, {box(14, -6, 16, 3)});
+  scenario.goal = {60, 4, 0};
+  if (who == Pulls::trailer) scenario.vehicle = semitrailer();
+  if (has_movers) {
+    scenario.moving = {{.outline = box(-2, -1, 2, 1),
+                        .trajectory = {{0, {40, 30, -pi / 2}}, {12, {40, -30, -pi / 2}}},
+                        .after = Afterwards::leaves}};
+  }
+  PlanOptions options;
+  options.budget.max_iterations = is_sanitized ? 200 : 5000;
+  options.cost.measure = measure;
+  options.steering = steering;
+  options.clearance = {margin, 0.0};
+  const Problem problem = make_problem(scenario);
+  const PlanResult result = plan(problem, options);
+  ASSERT_NE(result.status, PlanStatus::rejected) << result.reason;
+  if (is_sanitized && !result.path) return;  // in so few iterations
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  EXPECT_LE(result.lower_bound, result.cost);
+  EXPECT_EQ(result.via.size(), 1U);
+}
+
+INSTANTIATE_TEST_SUITE_P(OfTheDefaultPlanner, OnTheWay,
+                         testing::Combine(testing::Values(Pulls::nothing, Pulls::trailer),
+                                          testing::Values(Steering::reeds_shepp,
+                                                          Steering::continuous_between_stops,
+                                                          Steering::continuous),
+                                          testing::Values(CostMeasure::prices, CostMeasure::time),
+                                          testing::Bool(), testing::Values(0.0, 0.3),
+                                          testing::Bool()),
+                         name_of_via);
+
+}  // namespace
+}  // namespace vandplan
