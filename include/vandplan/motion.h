@@ -46,7 +46,7 @@ struct SpeedKnot {
 };
 
 /// A place where the vehicle stands on its way, or at the start. The gear changes there, or the
-/// wheels turn, or both.
+/// wheels turn, or a limit of the place says so.
 struct Stop {
   double t = 0.0;                 ///< time at which the vehicle comes to stand [s]
   double s = 0.0;                 ///< driven distance since the start [m]
@@ -64,18 +64,19 @@ struct SpeedProfile {
   double standing = 0.0;  ///< sum of the pauses [s]
 };
 
-/// Limit of the speed on a part of a path, both ends included.
+/// Limit of the speed on a part of a path, both ends included. A limit of 0 at one place: the
+/// vehicle stands there.
 struct SpeedLimit {
   double begin = 0.0;      ///< driven distance from the start to the begin of the part [m]
   double end = 0.0;        ///< driven distance from the start to the end of the part [m]
-  double max_speed = 0.0;  ///< largest speed there, in either gear [m/s]; > 0
+  double max_speed = 0.0;  ///< largest speed there, in either gear [m/s]; > 0, or a stop
   bool operator==(const SpeedLimit&) const = default;
 };
 
 /// Facts about a drive that its path does not tell.
 struct SpeedOptions {
   double start_curvature = 0.0;         ///< curvature of the wheels before the drive [1/m]
-  std::vector<SpeedLimit> limits = {};  ///< limits of places, such as zones
+  std::vector<SpeedLimit> limits = {};  ///< limits of places, such as zones and stops
 };
 
 /// Largest jump of the steering angle that a vehicle drives through [rad]: numbers in files are
@@ -83,9 +84,9 @@ struct SpeedOptions {
 inline constexpr double ignored_steering_jump = 1e-6;
 
 /// The fastest drive along a path that keeps all of `vehicle.limits` and the limits of places. It
-/// stands at start, goal and
-/// gear changes, and wherever the curvature jumps until the wheels are turned. Without a limit of
-/// jerk no drive is shorter by 0.1 %. With one the drive keeps it and is near the shortest.
+/// stands at start, goal, gear changes and stops, and wherever the curvature jumps until the wheels
+/// are turned. Without a limit of jerk no drive is shorter by 0.1 %. With one the drive keeps it
+/// and is near the shortest.
 ///
 /// Throws InputError naming a limit that is out of range ("max_speed.forward"),
 /// "vehicle.wheelbase", "start_curvature", or "segments[3]" if it is not finite. The path may be

@@ -45,8 +45,10 @@ struct EndCurvatures {
 /// Gears in which a longer drive goes on beyond the ends of the part of it that a task asks for: 1
 /// forward, -1 reverse. 0: nothing is driven there.
 struct EndGears {
-  int start = 0;  ///< gear before the start
-  int goal = 0;   ///< gear after the goal
+  int start = 0;                 ///< gear before the start
+  int goal = 0;                  ///< gear after the goal
+  bool stands_at_start = false;  ///< whether the vehicle stands at the start in that gear
+  bool stands_at_goal = false;   ///< whether the vehicle stands at the goal in that gear
   bool operator==(const EndGears&) const = default;
 };
 
@@ -162,8 +164,9 @@ struct Task {
   Steering steering = Steering::reeds_shepp;
   EndCurvatures curvatures = {};
   EndHitchAngles hitch_angles = {};
-  /// Gears beyond the ends, if the task asks for a part of a longer drive. Where a gear goes on,
-  /// the wheels are held to `curvatures` unless they turn at once, and a gear change has its price.
+  /// Gears beyond the ends, if the task asks for a part of a longer drive. Where a gear goes on, a
+  /// gear change has its price. There the wheels are held to `curvatures`, unless they turn at once
+  /// or the vehicle stands.
   EndGears beyond = {};
   /// Straight line with which the path ends [m]; negative: driven in reverse. Only the function of
   /// a planner with `Capability::moving` sees another number than 0.

@@ -174,8 +174,9 @@ struct Action {
 /// first tick.
 [[nodiscard]] Action action_at(const ReplanAnswer& answer, const Vehicle& vehicle, double t);
 
-/// Plans again and again for one vehicle on its way to a goal. Equal calls give equal answers,
-/// bit for bit. Not for several threads at once.
+/// Plans again and again for one vehicle on its way to a goal. Vias are dropped as its drives pass
+/// them, and stay when the goal changes. Equal calls give equal answers, bit for bit. Not for
+/// several threads at once.
 class Replanner {
  public:
   /// Begins with a scenario, whose moving obstacles are known from the start. Throws InputError

@@ -160,11 +160,12 @@ void find_surcharges(const Task& task, std::span<const Body> bodies, const Trail
       found.has_priced_ground ? surcharge(AtEdge::outside) : found.most_surcharge;
 }
 
-void find_times(const Task& task, const Track& track, const Trailing* trailing, Found& found) {
+void find_times(const Task& task, const Track& track, const Trailing* trailing,
+                const std::vector<Place>& stops, Found& found) {
   const Surroundings& ground = task.world->local();
   const auto time = [&](AtEdge at_edge) {
     return drive_time(track, task.vehicle, task.curvatures.start,
-                      priced_parts(ground, task.vehicle, track, trailing, at_edge));
+                      priced_parts(ground, task.vehicle, track, trailing, at_edge), stops);
   };
   found.most_time = time(AtEdge::inside);
   found.least_time = has_prices(ground) ? time(AtEdge::outside) : found.most_time;

@@ -33,7 +33,9 @@ void find_surcharges(const Task& task, std::span<const Body> bodies, const Trail
                      const CostOptions& rule, Found& found);
 
 /// Computes the durations of the fastest drive, with the edges of zones inside and outside of them.
-void find_times(const Task& task, const Track& track, const Trailing* trailing, Found& found);
+/// `stops`: places in order at which the vehicle stands besides.
+void find_times(const Task& task, const Track& track, const Trailing* trailing,
+                const std::vector<Place>& stops, Found& found);
 
 /// One line about the first false claim, with the true value; none if all claims are true.
 /// `trailing` is null without a trailer.

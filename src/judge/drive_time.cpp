@@ -61,11 +61,39 @@ Real time_of(std::vector<FastPlace>& places, const DrivingLimits& limits) {
   return time;
 }
 
+/// Ends of the parts of a stretch between places to stand [m].
+std::vector<Real> ends_between(const std::vector<Place>& stops, std::size_t i, Real length) {
+  std::vector<Real> ends;
+  for (const Place& stop : stops) {
+    if (stop.stretch == i && stop.t > 0 && stop.t < length) ends.push_back(stop.t);
+  }
+  ends.push_back(length);
+  return ends;
+}
+
+/// Adds places of stretch `i` between two of its lengths. They are denser near both, where the
+/// vehicle may reach its speed within a tiny distance. `part`: the part that holds there, moved on.
+void add_places(const Stretch& stretch, std::size_t i, Real begin, Real end, Real count,
+                const Vehicle& vehicle, const std::vector<PricedPart>& parts, std::size_t& part,
+                std::vector<FastPlace>& places) {
+  const auto add = [&](Real t, Real most) {
+    places.push_back({stretch.s + t, std::min(square_at(stretch, t, vehicle), most * most)});
+  };
+  for (Real k = 0; k <= count; ++k) {
+    const Real t = begin + (end - begin) * (1 - std::cos(full_turn / 2 * k / count)) / 2;
+    // Both sides of each place where a limit begins or ends.
+    for (; part + 1 < parts.size() && parts[part + 1].stretch == i && parts[part].end < t; ++part) {
+      add(parts[part].end, parts[part].max_speed);
+      add(parts[part].end, parts[part + 1].max_speed);
+    }
+    add(t, max_speed_at(parts, {i, t}));
+  }
+}
+
 }  // namespace
 
 double drive_time(const Track& track, const Vehicle& vehicle, double start_curvature,
-                  const std::vector<PricedPart>& parts) {
-  constexpr Real pi = full_turn / 2;
+                  const std::vector<PricedPart>& parts, const std::vector<Place>& stops) {
   const Real step = std::max(usual_step, track.length / most_places);
   const Real least =
       std::min(least_places, most_places / static_cast<Real>(track.stretches.size()));
@@ -88,22 +116,15 @@ double drive_time(const Track& track, const Vehicle& vehicle, double start_curva
     }
     direction = stretch.direction;
     curvature = curvature_at(stretch, stretch.length);
-    // Samples are denser near the ends, where the vehicle may reach its speed within a tiny
-    // distance.
-    const Real count = std::max(least, std::ceil(stretch.length / step));
-    const auto add = [&](Real t, Real most) {
-      places.push_back({stretch.s + t, std::min(square_at(stretch, t, vehicle), most * most)});
-    };
+    const auto is_here = [i](const Place& stop) { return stop.stretch == i && stop.t == 0; };
+    if (std::any_of(stops.begin(), stops.end(), is_here)) time += time_of(places, vehicle.limits);
     while (part < parts.size() && parts[part].stretch < i) ++part;
-    for (Real k = 0; k <= count; ++k) {
-      const Real t = stretch.length * (1 - std::cos(pi * k / count)) / 2;
-      // Both sides of each place where a limit begins or ends.
-      for (; part + 1 < parts.size() && parts[part + 1].stretch == i && parts[part].end < t;
-           ++part) {
-        add(parts[part].end, parts[part].max_speed);
-        add(parts[part].end, parts[part + 1].max_speed);
-      }
-      add(t, max_speed_at(parts, {i, t}));
+    Real begin = 0;
+    for (const Real end : ends_between(stops, i, stretch.length)) {
+      if (begin > 0) time += time_of(places, vehicle.limits);
+      const Real count = std::max(least, std::ceil((end - begin) / step));
+      add_places(stretch, i, begin, end, count, vehicle, parts, part, places);
+      begin = end;
     }
   }
   return static_cast<double>(time + time_of(places, vehicle.limits));

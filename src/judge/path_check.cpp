@@ -376,7 +376,7 @@ std::optional<Fault> first_fault(const Task& task, const Track& track, const Tra
   if (auto f = false_passings(task, track, trailing, claims.via)) return Fault{*f, {}};
   Found found{.has_jerk_limit = task.vehicle.limits.max_jerk.has_value()};
   if (claims.cost && claims.cost->rule.measure == CostMeasure::time) {
-    find_times(task, track, trailing, found);
+    find_times(task, track, trailing, passed.stops, found);
   } else if (claims.cost) {
     find_surcharges(task, bodies, trailing, claims.cost->rule, found);
   }
@@ -438,7 +438,7 @@ PathCheck check_path(const Problem& problem, const Path& path, const PathClaims&
   }
   const Trailing* const trailer = trailing ? &*trailing : nullptr;
   const PathClaims local = local_claims(world, claims);
-  const Passings passed = passings(*task, track, trailer, local.steering);
+  const Passings passed = passings(*task, track, trailer);
   std::optional<Fault> fault;
   if (task->goal_set.empty()) {
     fault = first_fault(*task, track, trailer, passed, local, check.clearance);

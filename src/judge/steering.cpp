@@ -31,11 +31,9 @@ SteeringFault jump(const char* where, Real before, Real after, const Place& plac
 
 }  // namespace
 
-bool jumps_rolling(const Track& track, const Vehicle& vehicle, std::size_t i) {
-  if (i == 0) return false;
+bool jumps(const Track& track, const Vehicle& vehicle, std::size_t i) {
   const Stretch& before = track.stretches[i - 1];
   const Stretch& after = track.stretches[i];
-  if (before.direction != after.direction) return false;
   const Real jump = after.curvature - curvature_at(before, before.length);
   return std::abs(jump) > rounding / vehicle.min_turning_radius;
 }

@@ -25,7 +25,7 @@ struct SteeringFault {
                                                           Steering claimed,
                                                           std::span<const Place> stops);
 
-/// Whether the curvature jumps at the begin of stretch `i`, where the gear goes on.
-[[nodiscard]] bool jumps_rolling(const Track& track, const Vehicle& vehicle, std::size_t i);
+/// Whether the curvature jumps at the begin of stretch `i`, which is not the first one.
+[[nodiscard]] bool jumps(const Track& track, const Vehicle& vehicle, std::size_t i);
 
 }  // namespace vandplan::judge

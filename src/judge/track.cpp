@@ -139,7 +139,7 @@ Track integrate(const Path& path) {
     for (Real i = 0; i < count; ++i) {
       const Real curvature = segment.curvature + rate * i * part;
       track.stretches.push_back(
-          {track.end, curvature, direction, part, track.length + i * part, rate});
+          {track.end, curvature, direction, part, track.length + i * part, rate, i == 0});
       track.end = after(track.stretches.back(), part);
     }
     track.length += length;

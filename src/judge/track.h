@@ -47,11 +47,12 @@ struct Placement {
 /// A segment with its start pose. A clothoid is cut into stretches so short that `after` is exact.
 struct Stretch {
   Position start;
-  Real curvature = 0;  ///< curvature at the start [1/m]
-  Real direction = 1;  ///< gear: 1 forward, -1 reverse
-  Real length = 0;     ///< driven length [m]; >= 0
-  Real s = 0;          ///< distance from the start of the track to the stretch [m]
-  Real rate = 0;       ///< change of the curvature per metre driven [1/m^2]
+  Real curvature = 0;    ///< curvature at the start [1/m]
+  Real direction = 1;    ///< gear: 1 forward, -1 reverse
+  Real length = 0;       ///< driven length [m]; >= 0
+  Real s = 0;            ///< distance from the start of the track to the stretch [m]
+  Real rate = 0;         ///< change of the curvature per metre driven [1/m^2]
+  bool is_first = true;  ///< whether a segment begins here
   Direction ahead = direction_of(start.heading);  ///< direction of the heading at the start
 };
 

@@ -14,7 +14,26 @@ namespace {
 
 constexpr Real passed_tolerance = 1e-6;          // tolerance of places [m] and angles [rad]
 constexpr Real stated_passing_tolerance = 1e-5;  // tolerance of stated, rounded numbers [m, rad]
+constexpr Real joint_slack = 1e-9;               // joints so near are at one place [m]
 constexpr Real finest = 1e-7;                    // half of the shortest part that is looked at [m]
+
+/// Place where a segment begins, or the end of a track.
+struct Joint {
+  Place place;
+  bool stands = true;  // whether the vehicle stands there, via or not
+};
+
+std::vector<Joint> joints_of(const Track& track, const Vehicle& vehicle) {
+  std::vector<Joint> joints;
+  for (std::size_t i = 0; i < track.stretches.size(); ++i) {
+    if (!track.stretches[i].is_first) continue;
+    const bool rolls = i > 0 && track.stretches[i].direction == track.stretches[i - 1].direction &&
+                       !jumps(track, vehicle, i);
+    joints.push_back({{i, 0}, !rolls});
+  }
+  joints.push_back({{track.stretches.size() - 1, track.stretches.back().length}});
+  return joints;
+}
 
 /// Finds where a track passes one via.
 class Passing {
@@ -41,15 +60,21 @@ class Passing {
     return std::nullopt;
   }
 
-  /// First begin of a stretch from `from` on where the curvature jumps, in a region of the via.
-  [[nodiscard]] std::optional<Place> first_jump(const Place& from) const {
-    for (std::size_t i = from.stretch + (from.t > 0 ? 1 : 0); i < track_.stretches.size(); ++i) {
-      if (jumps_rolling(track_, vehicle_, i) && is_in({i, 0}, passed_tolerance)) return Place{i, 0};
+  /// First of some joints from `from` on that is in a region of the via; none if there is none.
+  [[nodiscard]] std::optional<Place> first_of(const std::vector<Joint>& joints, const Place& from,
+                                              bool must_stand) const {
+    for (const auto& [place, stands] : joints) {
+      const bool is_ahead = driven(place) >= driven(from) - joint_slack;
+      if (is_ahead && (stands || !must_stand) && is_in(place, passed_tolerance)) return place;
     }
     return std::nullopt;
   }
 
  private:
+  [[nodiscard]] Real driven(const Place& place) const {
+    return track_.stretches[place.stretch].s + place.t;
+  }
+
   /// By how much place, heading and hitch angle may change near a place [m, rad].
   struct Slack {
     Real place = 0, turn = 0, fold = 0;
@@ -105,25 +130,72 @@ Place place_behind(const Track& track, Real s) {
   return {i, std::clamp<Real>(s - stretch.s, 0, stretch.length)};
 }
 
+/// Finds where a track passes all vias.
+class AllPassings {
+ public:
+  AllPassings(const Task& task, const Track& track, const Trailing* trailing)
+      : via_(task.via), joints_(joints_of(track, task.vehicle)) {
+    for (const Via& via : via_) passings_.emplace_back(task, track, trailing, via);
+  }
+
+  [[nodiscard]] Passings find() const {
+    Passings passed;
+    Place from;
+    for (std::size_t i = 0; i < via_.size(); ++i) {
+      const std::optional<Place> first = passings_[i].first(from);
+      if (!first) break;
+      from = via_[i].stop ? place_to_stand(i, from, *first) : *first;
+      passed.places.push_back(from);
+      if (via_[i].stop) passed.stops.push_back(from);
+    }
+    return passed;
+  }
+
+ private:
+  /// Number of vias from `i` on that are passed behind a place.
+  [[nodiscard]] std::size_t passed_behind(Place place, std::size_t i) const {
+    std::size_t count = 0;
+    for (; i < via_.size(); ++i, ++count) {
+      const std::optional<Place> next = passings_[i].first(place);
+      if (!next) break;
+      place = *next;
+    }
+    return count;
+  }
+
+  [[nodiscard]] Place place_to_stand(std::size_t i, const Place& from, const Place& first) const {
+    for (const bool must_stand : {true, false}) {
+      const std::optional<Place> joint = passings_[i].first_of(joints_, from, must_stand);
+      if (joint && passed_behind(*joint, i + 1) == passed_behind(first, i + 1)) return *joint;
+    }
+    return first;
+  }
+
+  const std::vector<Via>& via_;
+  std::vector<Joint> joints_;
+  std::vector<Passing> passings_;
+};
+
 }  // namespace
 
-Passings passings(const Task& task, const Track& track, const Trailing* trailing,
-                  Steering steering) {
-  Passings passed;
+Passings passings(const Task& task, const Track& track, const Trailing* trailing) {
+  return AllPassings(task, track, trailing).find();
+}
+
+std::optional<std::size_t> via_without_stop(const Task& task, const Track& track,
+                                            const Trailing* trailing,
+                                            const std::vector<Place>& standing) {
+  std::vector<Joint> stops;
+  for (const Place& place : standing) stops.push_back({place});
   Place from;
-  for (const Via& via : task.via) {
-    const Passing passing(task, track, trailing, via);
-    std::optional<Place> place;
-    if (via.stop && steering == Steering::continuous_between_stops) {
-      place = passing.first_jump(from);
-    }
-    if (!place) place = passing.first(from);
-    if (!place) break;
-    passed.places.push_back(*place);
-    if (via.stop) passed.stops.push_back(*place);
-    from = *place;
+  for (std::size_t i = 0; i < task.via.size(); ++i) {
+    const Passing passing(task, track, trailing, task.via[i]);
+    const std::optional<Place> next =
+        task.via[i].stop ? passing.first_of(stops, from, true) : passing.first(from);
+    if (!next) return i;
+    from = *next;
   }
-  return passed;
+  return std::nullopt;
 }
 
 std::optional<std::string> false_passings(const Task& task, const Track& track,

@@ -9,7 +9,6 @@
 
 #include "judge/track.h"
 #include "judge/trailing.h"
-#include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
 
 namespace vandplan::judge {
@@ -20,13 +19,19 @@ struct Passings {
   std::vector<Place> stops;   ///< those of vias where the vehicle stands
 };
 
-/// First places where a track passes the vias of a task within the judge's tolerance of 1e-6 m and
-/// 1e-6 rad, in their order, up to the first one that it misses. Where the vehicle stands, a place
-/// comes first at which the curvature jumps, if `steering` lets wheels turn at stops. Half steps
-/// that a via cannot be in are skipped, so no place is overlooked. `trailing` is null without a
-/// trailer.
-[[nodiscard]] Passings passings(const Task& task, const Track& track, const Trailing* trailing,
-                                Steering steering);
+/// First places where a track passes vias of a task within the judge's tolerance of 1e-6 m and
+/// 1e-6 rad, in their order, up to the first one that it misses. Half steps that a via cannot be in
+/// are skipped, so no place is overlooked. `trailing` is null without a trailer.
+///
+/// At a via with a stop the vehicle stands where it would stand anyway, else where a segment
+/// begins, else as early as possible. It passes the vias behind it from there, or not at all.
+[[nodiscard]] Passings passings(const Task& task, const Track& track, const Trailing* trailing);
+
+/// Index of the first via that a drive misses: the vehicle passes it behind those before it, and
+/// stands there if it has to. `standing`: places in order at which the vehicle stands.
+[[nodiscard]] std::optional<std::size_t> via_without_stop(const Task& task, const Track& track,
+                                                          const Trailing* trailing,
+                                                          const std::vector<Place>& standing);
 
 /// What is wrong with stated places where a track passes vias; none if nothing is.
 [[nodiscard]] std::optional<std::string> false_passings(const Task& task, const Track& track,

@@ -78,7 +78,7 @@ class WithLine final : public PathSearch {
  private:
   [[nodiscard]] std::vector<Segment> with_line(std::vector<Segment> way) const {
     way.push_back(line_);
-    return merged(way);
+    return way;
   }
 
   [[nodiscard]] double cost(const std::vector<Segment>& path) const {

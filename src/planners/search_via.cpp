@@ -16,6 +16,7 @@
 #include "planners/pricing.h"
 #include "planners/via_chain.h"
 #include "problem/goal_set.h"
+#include "search/wheels.h"
 #include "steering/words.h"
 #include "vandplan/search.h"
 
@@ -25,10 +26,12 @@ namespace {
 constexpr double no_cost = std::numeric_limits<double>::infinity();
 constexpr std::int64_t work_of_turn = 256;  // iterations of a leg in one turn
 constexpr std::int64_t patience_of_leg =
-    20'000;  // iterations after which a leg without a path is given up
+    20'000;                              // iterations after which a leg without a path is given up
+constexpr std::int64_t first_look = 32;  // iterations of each leg before a trial is dropped
 constexpr std::int64_t chance_of_trial = 256;  // most iterations of each leg of a trial
-constexpr double first_step_beside = 0.125;    // first step beside a node [share of its intervals]
-constexpr double last_step_beside = 5e-4;      // last step
+constexpr double is_near_best = 1.05;        // a trial up to so many times the best gets its chance
+constexpr double first_step_beside = 0.125;  // first step beside a node [share of its intervals]
+constexpr double last_step_beside = 5e-4;    // last step
 constexpr double worth_trying = 1.15;  // other poses are tried up to so many times the straight way
 constexpr double same_curvature = 2e-7;  // difference that is rounding, times the turning radius
 
@@ -52,6 +55,7 @@ struct ViaTrial {
   std::size_t via;
   ViaNode node;
   LegPointer to, from;
+  std::int64_t chance = first_look;  // iterations for each leg
 };
 
 class ViaSearch final : public PathSearch {
@@ -63,7 +67,7 @@ class ViaSearch final : public PathSearch {
         search_to_(search_to),
         pricing_(task, options.cost, time_price),
         budget_(options.budget),
-        nodes_(task, pricing_.rule()) {
+        nodes_(task, pricing_.prices()) {
     options_.budget.max_iterations.reset();
     if (!nodes_.empty_via()) begin_chain();
   }
@@ -124,6 +128,7 @@ class ViaSearch final : public PathSearch {
       leg.hitch_angles.start = state.hitch_angle;
       leg.curvatures.start = from.curvature;
       leg.beyond.start = from.gear;
+      leg.beyond.stands_at_start = from.stands;
     }
     if (via < chain.size()) {
       const ViaNode& to = chain[via];
@@ -132,6 +137,7 @@ class ViaSearch final : public PathSearch {
       leg.hitch_angles.goal = state.hitch_angle;
       leg.curvatures.goal = to.curvature;
       leg.beyond.goal = to.gear;
+      leg.beyond.stands_at_goal = to.stands;
     }
     problem::tell_ends_apart(leg);
     return std::make_shared<ViaLeg>(std::move(leg));
@@ -235,7 +241,8 @@ class ViaSearch final : public PathSearch {
 
   [[nodiscard]] bool fits(const Segment& before, const ViaLeg& leg) const {
     const Segment& next = leg.path->front();
-    const bool rolls = leg.task.beyond.start != 0 && before.length * next.length > 0.0;
+    const bool rolls =
+        search::rolling_beyond(leg.task, true) != 0 && before.length * next.length > 0.0;
     const bool may_jump = task_.steering == Steering::reeds_shepp ||
                           (task_.steering == Steering::continuous_between_stops && !rolls);
     const double jump = next.curvature - search::last_driven(before).curvature;
@@ -256,23 +263,25 @@ class ViaSearch final : public PathSearch {
     trace_.push_back({budget_.elapsed(), iterations_, cost});
   }
 
+  /// Puts nodes to try beside those of the chain into the queue.
+  void find_trials() {
+    for (std::size_t via = 0; via < chain_.size(); ++via) {
+      const auto wait = [&](const std::vector<ViaNode>& nodes) {
+        for (const ViaNode& node : nodes) waiting_.push_back({via, node});
+      };
+      if (is_first_round_) wait(nodes_.others(chain_, via, worth_trying));
+      wait(nodes_.beside(chain_, via, step_));
+    }
+    is_first_round_ = false;
+    if (!has_gained_) step_ /= 2;
+    has_gained_ = false;
+  }
+
   /// Begins to try the next node. False if there is none left.
   bool begin_trial() {
     while (waiting_.empty()) {
       if (step_ < last_step_beside || chain_.empty()) return false;
-      for (std::size_t via = 0; via < chain_.size(); ++via) {
-        if (is_first_round_) {
-          for (const ViaNode& node : nodes_.others(chain_, via, worth_trying)) {
-            waiting_.push_back({via, node});
-          }
-        }
-        for (const ViaNode& node : nodes_.beside(chain_, via, step_)) {
-          waiting_.push_back({via, node});
-        }
-      }
-      is_first_round_ = false;
-      if (!has_gained_) step_ /= 2;
-      has_gained_ = false;
+      find_trials();
     }
     const auto [via, node] = waiting_.front();
     waiting_.pop_front();
@@ -289,15 +298,20 @@ class ViaSearch final : public PathSearch {
     for (const bool is_to : {true, false}) {
       ViaLeg& leg = is_to ? *trial.to : *trial.from;
       const LegPointer& old = legs_[is_to ? via : via + 1];
-      const std::int64_t chance = std::clamp(old->spent, work_of_turn, chance_of_trial);
-      if (leg.is_done || leg.spent >= chance) continue;
-      spent_on_trials_ += std::max<std::int64_t>(go_on(leg, most, old.get()), 1);
+      if (leg.is_done || leg.spent >= trial.chance) continue;
+      const std::int64_t share = std::min(most, trial.chance - leg.spent);
+      spent_on_trials_ += std::max<std::int64_t>(go_on(leg, share, old.get()), 1);
       return;
     }
     std::vector<LegPointer> legs = legs_;
     legs[via] = trial.to;
     legs[via + 1] = trial.from;
-    if (cost_of(joined(legs)) < cost_) {
+    const double cost = cost_of(joined(legs));
+    if (cost >= cost_ && cost < is_near_best * cost_ && trial.chance < chance_of_trial) {
+      trial.chance = chance_of_trial;
+      return;
+    }
+    if (cost < cost_) {
       legs_ = std::move(legs);
       chain_[via] = trial.node;
       has_gained_ = true;

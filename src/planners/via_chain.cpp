@@ -44,14 +44,18 @@ ViaNodes::ViaNodes(const Task& task, const search::CostRule& rule) : task_(task)
 
 bool ViaNodes::is_free(const ViaNode& node) const { return task_.checker->is_free(node.state); }
 
-/// Adds a node for each gear in which the vehicle may drive through; one if it stands there.
+/// Adds a node for each gear in which the vehicle may go on; one if it stands there and a gear
+/// change costs nothing.
 void ViaNodes::add_gears(std::size_t via, const ViaNode& node, std::vector<ViaNode>& nodes) const {
+  const bool stands = task_.via[via].stop;
+  const bool is_any = stands && rule_.gear_change_cost == 0.0;
   for (const search::GearSign gear : {1, -1}) {
-    if (!task_.via[via].stop && !rule_.allows(gear)) continue;
+    if (!rule_.allows(gear)) continue;
     ViaNode& added = nodes.emplace_back(node);
     added.number = nodes.size() - 1;
-    if (task_.via[via].stop) return;
-    added.gear = gear;
+    added.gear = is_any ? 0 : gear;
+    added.stands = stands;
+    if (is_any) return;
   }
 }
 
@@ -127,7 +131,11 @@ std::vector<ViaNode> ViaNodes::beside(const std::vector<ViaNode>& chain, std::si
     other.state = state_of(tasks_[via], point);
     if (is_in_region(tasks_[via], point) && is_free(other)) found.push_back(other);
   }
-  if (node.gear == 0) return found;
+  if (node.gear != 0 && rule_.allows(-node.gear)) {
+    found.push_back(node);
+    found.back().gear = -node.gear;
+  }
+  if (node.stands) return found;
   if (task_.steering != Steering::reeds_shepp) {
     const double sharpest = (1 - 1e-9) / search::continuous_radius(task_.vehicle);
     for (const double step : {share, -share}) {
@@ -152,6 +160,7 @@ std::vector<ViaNode> ViaNodes::others(const std::vector<ViaNode>& chain, std::si
   }
   std::ranges::stable_sort(ranked, {}, [](const auto& entry) { return entry.first; });
   std::vector<ViaNode> found;
+  found.reserve(ranked.size());
   for (const auto& [way, other] : ranked) found.push_back(other);
   return found;
 }

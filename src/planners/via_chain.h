@@ -22,7 +22,8 @@ namespace vandplan::planning {
 struct ViaNode {
   GoalPoint point = {};
   LocalState state = {};
-  search::GearSign gear = 0;  ///< gear in which the vehicle drives through; 0: it stands there
+  search::GearSign gear = 0;  ///< gear in which the vehicle goes on; 0: in any
+  bool stands = false;        ///< whether the vehicle stands there
   double curvature = 0.0;     ///< curvature with which it drives through [1/m]
   std::size_t number = 0;     ///< number among the nodes of its via
 };
@@ -46,8 +47,8 @@ class ViaNodes {
   /// Gives up the leg that leads to node `to` of a via from node `from` of the via before.
   void give_up(std::size_t via, std::size_t from, std::size_t to) { lost_[{via, from, to}] = true; }
 
-  /// Free nodes beside `chain[via]`: by `share` of the intervals of its region, and with other
-  /// curvatures.
+  /// Free nodes beside `chain[via]`: by `share` of the intervals of its region, in the other gear,
+  /// and with other curvatures.
   [[nodiscard]] std::vector<ViaNode> beside(const std::vector<ViaNode>& chain, std::size_t via,
                                             double share) const;
   /// Other nodes of a via, the most promising ones first: those with less than `slack` times the

@@ -8,6 +8,7 @@
 
 #include "base/text.h"
 #include "problem/checks.h"
+#include "problem/stops.h"
 #include "vandplan/input_error.h"
 #include "vandplan/problem.h"
 #include "vandplan/vehicle.h"
@@ -51,6 +52,7 @@ namespace vandplan {
 std::vector<SpeedLimit> speed_limits(const Task& task, const LocalState& from,
                                      std::span<const Segment> segments) {
   std::vector<SpeedLimit> limits;
+  for (const double s : problem::stops_at_vias(task, from, segments)) limits.push_back({s, s, 0.0});
   if (!task.checker->has_speed_limits()) return limits;
   LocalState state = from;
   double s = 0.0;
@@ -73,8 +75,9 @@ SpeedOptions speed_options(const Problem& problem, const Path& path) {
 }
 
 SpeedOptions speed_options(const Scenario& scenario, const Path& path) {
-  if (scenario.zones.empty() && scenario.masks.empty())
+  if (scenario.zones.empty() && scenario.masks.empty() && scenario.via.empty()) {
     return {.start_curvature = scenario.curvatures.start};
+  }
   return speed_options(make_problem(scenario), path);
 }
 

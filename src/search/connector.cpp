@@ -48,8 +48,8 @@ std::optional<ContinuousSteering> continuous_steering(const Task& task) {
   const auto held = [&](double curvature, GearSign beyond) {
     return holds_wheels(task, beyond) ? std::abs(curvature) : 0.0;
   };
-  const double given = std::max(held(task.curvatures.start, task.beyond.start),
-                                held(task.curvatures.goal, task.beyond.goal));
+  const double given = std::max(held(task.curvatures.start, rolling_beyond(task, true)),
+                                held(task.curvatures.goal, rolling_beyond(task, false)));
   if (given * radius > 1 + 1e-12) {
     throw InputError("curvature", "of start or goal is " + std::to_string(given) +
                                       " 1/m, expected at most " + std::to_string(1 / radius) +
@@ -145,7 +145,7 @@ void Connector::find_ends(const LocalPose& pose, const Driven& beside,
   const bool between_stops = continuous_->continuity() == Continuity::between_stops;
   const bool is_start = pose == task_.start;
   const bool is_end = is_start || pose == task_.goal;
-  const GearSign beyond = is_start ? task_.beyond.start : task_.beyond.goal;
+  const GearSign beyond = rolling_beyond(task_, is_start);
   const bool is_outermost = beside.gear == 0 || !beside.is_known();
   const bool may_change = beside.gear != 0 && rule_.allows(-beside.gear);
   if (is_end && (is_outermost || beyond != 0)) {
@@ -222,8 +222,10 @@ std::optional<Piece> Connector::continuous_piece(const LocalPose& from, const Lo
 Piece Connector::cheapest_word(const LocalPose& from, const LocalPose& to,
                                const DrivenBeside& beside, const Piece& shortest, double cutoff) {
   // The piece to the goal is the last one, so nothing is added at its end. Wide arcs seldom fit
-  // between obstacles, and would hide words that fit.
-  const bool is_last = to == task_.goal;
+  // between obstacles, and would hide words that fit. If the drive goes on, it would carry an error
+  // on.
+  const bool goes_on = task_.beyond.goal != 0 || task_.beyond.stands_at_goal;
+  const bool is_last = to == task_.goal && !goes_on;
   const steering::Closing& closing = is_last ? steering::at_goal : steering::on_the_way;
   Piece best = shortest;
   double best_cost = cost(best, beside);

@@ -34,6 +34,12 @@ bool can_drive(const Connector& connector, const Segment& segment) {
   return std::abs(segment.curvature_rate) <= fastest * (1 + curvature_rounding);
 }
 
+GearSign rolling_beyond(const Task& task, bool is_start) {
+  const auto& [start, goal, stands_at_start, stands_at_goal] = task.beyond;
+  if (is_start) return stands_at_start ? 0 : start;
+  return stands_at_goal ? 0 : goal;
+}
+
 bool holds_wheels(const Task& task, GearSign beyond) {
   if (task.steering == Steering::reeds_shepp) return false;
   return task.steering == Steering::continuous || beyond != 0;
@@ -44,8 +50,8 @@ DrivenBeside driven_at_ends(const Task& task, GearSign initial) {
     return holds_wheels(task, beyond) ? given : Driven::any;
   };
   const GearSign before = initial != 0 ? initial : task.beyond.start;
-  return {{before, curvature(task.curvatures.start, task.beyond.start)},
-          {0, curvature(task.curvatures.goal, task.beyond.goal)}};
+  return {{before, curvature(task.curvatures.start, rolling_beyond(task, true))},
+          {0, curvature(task.curvatures.goal, rolling_beyond(task, false))}};
 }
 
 DrivenBeside fitted_driven(const Task& task, const DrivenBeside& beside) {

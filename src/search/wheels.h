@@ -21,8 +21,11 @@ namespace vandplan::search {
 /// fast as the segment needs.
 [[nodiscard]] bool can_drive(const Connector& connector, const Segment& segment);
 
-/// Whether the wheels are held to the task's curvature at an end, beyond which gear `beyond` goes
-/// on.
+/// Gear in which the vehicle rolls on beyond the start, or the goal; 0: it stands there.
+[[nodiscard]] GearSign rolling_beyond(const Task& task, bool is_start);
+
+/// Whether the wheels are held to the task's curvature at an end, beyond which the vehicle rolls in
+/// gear `beyond`.
 [[nodiscard]] bool holds_wheels(const Task& task, GearSign beyond);
 
 /// Gears and curvatures before the start and after the goal, as far as the task says. `initial`:

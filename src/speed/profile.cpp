@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -20,6 +21,8 @@ using speed::Cap;
 /// Segments in a row of less total length are passed over [m]: no vehicle drives them.
 constexpr double least_motion = 1e-9;
 
+bool is_stop(const SpeedLimit& limit) { return limit.max_speed == 0.0 && limit.begin == limit.end; }
+
 /// Builds a drive stretch by stretch.
 class Drive {
  public:
@@ -29,27 +32,18 @@ class Drive {
         curvature_(start.curvature),
         speed_(start.speed) {}
 
+  /// Adds a segment, at whose stops the vehicle stands.
   void add(const Segment& segment) {
+    const double begin = s_;
     const double length = std::abs(segment.length);
-    passed_over_ += length;
-    if (passed_over_ < least_motion || !(s_ < s_ + length)) {
-      since_stop_ += length;
-      s_ += length;
-      return;
+    double done = 0.0;
+    for (const SpeedLimit& limit : limits_) {
+      const double until = limit.begin - begin;
+      if (!is_stop(limit) || until < done + least_motion || until > length - least_motion) continue;
+      add_part(part_of(segment, done, until));
+      done = until;
     }
-    passed_over_ = 0.0;
-    const double sign = segment.length < 0.0 ? -1.0 : 1.0;
-    const bool changes_gear = gear_ != 0.0 && sign != gear_;
-    const bool jumps = turn_to(segment.curvature) > ignored_steering_jump;
-    if (changes_gear || jumps) stop(segment.curvature);
-    // Distances count from the last stop, so that short segments do not vanish after a long path.
-    const std::size_t first = caps_.size();
-    speed::add_caps(segment, since_stop_, vehicle_, caps_);
-    speed::keep_limits(limits_, stop_, first, caps_);
-    since_stop_ += length;
-    s_ += length;
-    gear_ = sign;
-    curvature_ = curvature_at(segment, length);
+    add_part(done == 0.0 ? segment : part_of(segment, done, length));
   }
 
   /// The speed profile; none if the vehicle is too fast to stop where it has to.
@@ -62,6 +56,36 @@ class Drive {
   }
 
  private:
+  void add_part(const Segment& segment) {
+    const double length = std::abs(segment.length);
+    passed_over_ += length;
+    if (passed_over_ < least_motion || !(s_ < s_ + length)) {
+      since_stop_ += length;
+      s_ += length;
+      return;
+    }
+    passed_over_ = 0.0;
+    const double sign = segment.length < 0.0 ? -1.0 : 1.0;
+    const bool changes_gear = gear_ != 0.0 && sign != gear_;
+    const bool jumps = turn_to(segment.curvature) > ignored_steering_jump;
+    if (changes_gear || jumps || (gear_ != 0.0 && must_stand())) stop(segment.curvature);
+    // Distances count from the last stop, so that short segments do not vanish after a long path.
+    const std::size_t first = caps_.size();
+    speed::add_caps(segment, since_stop_, vehicle_, caps_);
+    speed::keep_limits(limits_, stop_, first, caps_);
+    since_stop_ += length;
+    s_ += length;
+    gear_ = sign;
+    curvature_ = curvature_at(segment, length);
+  }
+
+  /// Whether the vehicle stands at the place reached so far.
+  [[nodiscard]] bool must_stand() const {
+    return std::any_of(limits_.begin(), limits_.end(), [this](const SpeedLimit& limit) {
+      return is_stop(limit) && std::abs(limit.begin - s_) < least_motion;
+    });
+  }
+
   /// Angle by which the wheels turn from the current curvature to `curvature` [rad].
   [[nodiscard]] double turn_to(double curvature) const {
     return std::abs(steering_angle(vehicle_, curvature) - steering_angle(vehicle_, curvature_));
@@ -154,7 +178,8 @@ std::optional<SpeedProfile> speed::profile_from(const Path& path, const Vehicle&
   base::require(std::isfinite(start.curvature), "start_curvature", start.curvature,
                 "a number [1/m]");
   for (const SpeedLimit& limit : start.limits) {
-    base::require(limit.max_speed > 0.0, "limits", limit.max_speed, "more than 0 m/s");
+    base::require(limit.max_speed > 0.0 || is_stop(limit), "limits", limit.max_speed,
+                  "more than 0 m/s, or 0 at one place");
   }
   vandplan::path::check_finite(path);
   Drive drive(vehicle, start);

@@ -133,7 +133,7 @@ TEST(JudgeOfGoals, HoldsTheLastStretchToALine) {
   EXPECT_FALSE(check({{0.0, 8.0}, {0.0, 4.0, 1e-4}}).valid);  // the wheels turn
   EXPECT_FALSE(check({}).valid);
   EXPECT_EQ(check({{0.1, 3.0}, {0.0, 5.0}}).reason,
-            "the last 5 m before the goal are straight and in one gear, expected 8 m");
+            "the last 5.00001 m before the goal are straight and in one gear, expected 8 m");
   // Another goal of the set asks for less.
   const Path path{{}, {{0.0, 11.0}}};
   GoalRegion longer = region_of_pose({11, 0, 0});

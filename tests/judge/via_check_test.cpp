@@ -79,6 +79,45 @@ TEST(JudgeOfVias, LetsWheelsTurnWhereTheVehicleStands) {
           .valid);
 }
 
+TEST(JudgeOfVias, CountsTheTimeOfAStop) {
+  const Path line{{}, {{0.0, 12.0}, {0.0, 18.0}}};
+  for (const bool stop : {false, true}) {
+    const Problem problem = along(line, {at({12, 0, 0}, stop)});
+    const SpeedOptions options = speed_options(problem, line);
+    EXPECT_EQ(options.limits.size(), stop ? 1U : 0U);
+    const double time = speed_profile(line, problem.vehicle(), options).duration;
+    const double without = speed_profile(line, problem.vehicle()).duration;
+    EXPECT_EQ(time > without + 1, stop);
+    const CostOptions by_time{.measure = CostMeasure::time};
+    EXPECT_EQ(check_path(problem, line, {.cost = StatedCost{time, by_time}}).reason, "");
+    EXPECT_EQ(check_path(problem, line, {.cost = StatedCost{without, by_time}}).valid, !stop);
+  }
+}
+
+TEST(JudgeOfVias, HoldsDrivesToStops) {
+  const Path line{{}, {{0.0, 30.0}}};
+  const Problem problem = along(line, {at({12, 0, 0}, true)});
+  const auto reason = [&](std::vector<SpeedLimit> stops) {
+    const SpeedProfile speeds =
+        speed_profile(line, problem.vehicle(), {.limits = std::move(stops)});
+    return check_drive(problem, {line, speeds}).reason;
+  };
+  EXPECT_EQ(reason({}), "the vehicle does not stand at via[0]");
+  EXPECT_EQ(reason({{11, 11, 0.0}}), "the vehicle does not stand at via[0]");
+  EXPECT_EQ(reason({{12, 12, 0.0}}), "");
+}
+
+TEST(JudgeOfVias, PrefersPlacesWhereTheVehicleStandsAnyway) {
+  const Via yard{{{.x = {5, 12}, .y = {-1, 1}}}, true};
+  const Path path{{}, {{0.0, 6.0}, {0.0, 4.0}, {0.0, -3.0}}};
+  const Problem problem = along(path, {yard});
+  EXPECT_NEAR(check_path(problem, path).via.at(0).s, 10.0, 1e-9);
+  EXPECT_EQ(speed_options(problem, path).limits.at(0).begin, 10.0);
+  // Not if the next via would be missed.
+  const Problem next = along(path, {yard, at({8, 0, 0}), at({9, 0, 0})});
+  EXPECT_NEAR(check_path(next, path).via.at(0).s, 6.0, 1e-9);
+}
+
 TEST(JudgeOfVias, FollowsTrailers) {
   const Vehicle rig = semitrailer();
   const Path path{{}, {{0.0, 6.0}, {0.05, 8.0}}};

@@ -383,6 +383,19 @@ TEST(GoalSet, EndsStraightInTheGearThatIsAllowed) {
   }
 }
 
+// A long line would carry an error of the way before it to the goal.
+TEST(GoalSet, EndsStraightAtTheGoalAfterALongLine) {
+  PlanOptions options = with_iterations(100);
+  options.cost = {.forward_weight = 1.0, .reverse_weight = 1.2, .gear_change_cost = 0.2};
+  options.steering = Steering::reeds_shepp;
+  for (int i = 0; i < 40; ++i) {
+    GoalRegion dock = region_of_pose({30 + 0.37 * i, 10, 1e-6 * i});
+    dock.straight = 25;
+    const PlanResult result = plan(make_problem(yard({dock})), options);
+    EXPECT_EQ(result.status, PlanStatus::solved) << i << ": " << result.reason;
+  }
+}
+
 // Forward on a line the trailer straightens, so before it the rig would be folded up.
 TEST(GoalSet, EndsStraightWhereARigIsNotFoldedUp) {
   GoalRegion dock = region_of_pose({20, 4, 0});
@@ -395,7 +408,7 @@ TEST(GoalSet, EndsStraightWhereARigIsNotFoldedUp) {
   EXPECT_EQ(plan(make_problem(scenario), options).status, PlanStatus::no_path);
   options.cost.gears = AllowedGears::both;
   const PlanResult result = plan(make_problem(scenario), options);
-  if (result.path) EXPECT_LT(result.path->segments.back().length, 0.0);
+  ASSERT_TRUE(!result.path || result.path->segments.back().length < 0.0);
 }
 
 TEST(GoalSet, EndsStraightByEveryPlanner) {

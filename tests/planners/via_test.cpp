@@ -12,6 +12,7 @@
 #include "support/cases.h"
 #include "support/problems.h"
 #include "vandplan/judge.h"
+#include "vandplan/motion.h"
 #include "vandplan/planner.h"
 #include "vandplan/steering.h"
 
@@ -20,14 +21,14 @@ namespace {
 
 using std::numbers::pi;
 
-PlanOptions with_iterations(std::int64_t iterations) {
+PlanOptions via_options(std::int64_t iterations) {
   PlanOptions options;
   options.budget.max_iterations = is_sanitized ? iterations / 20 : iterations;
   return options;
 }
 
-PlanOptions by_length(std::int64_t iterations) {
-  PlanOptions options = with_iterations(iterations);
+PlanOptions via_by_length(std::int64_t iterations) {
+  PlanOptions options = via_options(iterations);
   options.cost = shortest_style;
   options.steering = Steering::reeds_shepp;
   return options;
@@ -50,7 +51,7 @@ Via anyhow(double x, double y, bool stop = false) {
 
 TEST(Via, IsPassedOnTheWay) {
   const Problem problem = make_problem(yard({at({20, 10, 0})}));
-  const PlanResult result = plan(problem, by_length(20'000));
+  const PlanResult result = plan(problem, via_by_length(20'000));
   if (is_sanitized && !result.path) return;
   ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
   ASSERT_EQ(result.via.size(), 1U);
@@ -65,27 +66,41 @@ TEST(Via, IsPassedOnTheWay) {
 
 TEST(Via, CostsNothingOnTheStraightWay) {
   for (const bool stop : {false, true}) {
-    const PlanResult result = plan(make_problem(yard({at({10, 0, 0}, stop), anyhow(30, 0, stop)})),
-                                   with_iterations(20'000));
+    const PlanResult result =
+        plan(make_problem(yard({at({10, 0, 0}, stop), anyhow(30, 0, stop)})), via_options(20'000));
     if (is_sanitized && !result.path) return;
     ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
     EXPECT_NEAR(result.cost, 40, 0.01);
   }
 }
 
+TEST(Via, TakesTheTimeOfAStop) {
+  PlanOptions options;
+  options.budget.max_iterations = 4000;
+  options.cost.measure = CostMeasure::time;
+  const auto result = [&](bool stop) {
+    return plan(make_problem(yard({at({20, 0, 0}, stop)})), options);
+  };
+  const auto time_of_line = [](double length) {
+    return speed_profile({{}, {{0.0, length}}}, Vehicle{}).duration;
+  };
+  EXPECT_NEAR(result(false).cost, time_of_line(40), 1e-6);
+  EXPECT_NEAR(result(true).cost, 2 * time_of_line(20), 1e-6);
+}
+
 TEST(Via, BestHeadingIsFound) {
-  const PlanResult any = plan(make_problem(yard({anyhow(20, 10)})), by_length(40'000));
+  const PlanResult any = plan(make_problem(yard({anyhow(20, 10)})), via_by_length(40'000));
   if (is_sanitized && !any.path) return;
   ASSERT_TRUE(any.path) << any.reason;
   for (int i = 0; i < 12; ++i) {
     const double heading = -pi + i * pi / 6;
-    const PlanResult one = plan(make_problem(yard({at({20, 10, heading})})), by_length(4000));
-    if (one.path) EXPECT_LE(any.cost, 1.005 * one.cost) << heading;
+    const PlanResult one = plan(make_problem(yard({at({20, 10, heading})})), via_by_length(4000));
+    EXPECT_LE(any.cost, one.path ? 1.005 * one.cost : any.cost) << heading;
   }
 }
 
 TEST(Via, IsDrivenThroughWithoutAKink) {
-  PlanOptions options = with_iterations(20'000);
+  PlanOptions options = via_options(20'000);
   options.steering = Steering::continuous_between_stops;
   for (const Pose& pose : {Pose{20, 6, 0}, Pose{20, 10, 1}, Pose{10, -8, -0.5}}) {
     const Problem problem = make_problem(yard({at(pose)}));
@@ -97,7 +112,7 @@ TEST(Via, IsDrivenThroughWithoutAKink) {
 
 TEST(Via, OrderCounts) {
   const auto cost = [](std::vector<Via> via) {
-    return plan(make_problem(yard(std::move(via))), by_length(20'000)).cost;
+    return plan(make_problem(yard(std::move(via))), via_by_length(20'000)).cost;
   };
   if (is_sanitized) return;
   const double ahead = cost({anyhow(10, 0), anyhow(30, 0)});
@@ -109,7 +124,7 @@ TEST(Via, OrderCounts) {
 TEST(Via, AnyOfTakesTheCheapest) {
   Via gates = at({20, 30, 0});
   gates.any_of.push_back(region_of_pose({20, 1, 0}));
-  const PlanResult result = plan(make_problem(yard({gates})), by_length(20'000));
+  const PlanResult result = plan(make_problem(yard({gates})), via_by_length(20'000));
   if (is_sanitized && !result.path) return;
   ASSERT_TRUE(result.path) << result.reason;
   EXPECT_NEAR(result.via[0].pose.y, 1, 1e-5);
@@ -117,7 +132,7 @@ TEST(Via, AnyOfTakesTheCheapest) {
 
 TEST(Via, ProvesThatOneIsBlocked) {
   const PlanResult result =
-      plan(make_problem(yard({at({20, 20, 0})}, {box(19, 19, 21, 21)})), with_iterations(2000));
+      plan(make_problem(yard({at({20, 20, 0})}, {box(19, 19, 21, 21)})), via_options(2000));
   EXPECT_EQ(result.status, PlanStatus::no_path);
   EXPECT_EQ(result.reason, "none of the 1 poses of via[0] that were looked at is free");
 }
@@ -125,7 +140,7 @@ TEST(Via, ProvesThatOneIsBlocked) {
 TEST(Via, IsPassedByEveryPlanner) {
   const Problem problem = make_problem(yard({at({20, 6, 0}), anyhow(30, 3, true)}));
   for (const Planner& planner : planners()) {
-    PlanOptions options = with_iterations(6000);
+    PlanOptions options = via_options(6000);
     if (honours(planner, "region")) options.planner.set("region", "scene");
     const PlanResult result = plan(problem, planner, options);
     EXPECT_NE(result.status, PlanStatus::rejected) << planner.name << ": " << result.reason;
@@ -146,7 +161,7 @@ std::string name_of_via(const testing::TestParamInfo<ViaCombination>& info) {
   name += steerings[static_cast<int>(steering)];
   if (measure == CostMeasure::time) name += "Time";
   if (has_movers) name += "Movers";
-  if (margin > 0) name += "Margin";
+  if (margin > 0) name += "MarginAndZones";
   if (stop) name += "Stop";
   return name;
 }
@@ -163,6 +178,11 @@ TEST_P(OnTheWay, EverythingIsPlanned) {
                         .trajectory = {{0, {40, 30, -pi / 2}}, {12, {40, -30, -pi / 2}}},
                         .after = Afterwards::leaves}};
   }
+  if (margin > 0) {
+    scenario.zones = {{.area = box(22, -5, 34, 20), .max_speed = 1.5},
+                      {.area = box(44, -20, 50, 20), .direction = HeadingRange{-pi / 2, pi / 2}},
+                      {.area = box(4, -3, 10, 3), .cost = 2, .body = true}};
+  }
   PlanOptions options;
   options.budget.max_iterations = is_sanitized ? 200 : 5000;
   options.cost.measure = measure;
@@ -175,6 +195,13 @@ TEST_P(OnTheWay, EverythingIsPlanned) {
   ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
   EXPECT_LE(result.lower_bound, result.cost);
   EXPECT_EQ(result.via.size(), 1U);
+  const Path& path = *result.path;
+  const SpeedProfile fastest = speed_profile(path, problem.vehicle(), speed_options(problem, path));
+  if (measure == CostMeasure::time) {
+    EXPECT_NEAR(result.cost, fastest.duration, 1e-6);
+  }
+  const SpeedProfile& speeds = result.speeds ? *result.speeds : fastest;
+  EXPECT_EQ(check_drive(problem, {path, speeds}, {margin}).reason, "");
 }
 
 INSTANTIATE_TEST_SUITE_P(OfTheDefaultPlanner, OnTheWay,

@@ -71,6 +71,24 @@ TEST(Speed, AGearChangeIsAStopWithoutAPause) {
   EXPECT_DOUBLE_EQ(profile.duration, 4.0);
 }
 
+TEST(Speed, ItStandsWhereALimitIsAStop) {
+  const auto with_stops = [](const std::vector<Segment>& segments, std::vector<SpeedLimit> stops) {
+    return speed_profile(path_of(segments), car(), {.limits = std::move(stops)});
+  };
+  const SpeedProfile profile = with_stops({{0, 10}}, {{4, 4, 0.0}});
+  EXPECT_DOUBLE_EQ(profile.duration, duration_of({{0, 4}}, car()) + duration_of({{0, 6}}, car()));
+  ASSERT_EQ(profile.stops.size(), 1U);
+  EXPECT_DOUBLE_EQ(profile.stops[0].s, 4.0);
+  EXPECT_EQ(profile.stops[0].pause, 0.0);
+  // Where two segments meet, at the ends, or where it stands anyway, no time is lost twice.
+  const double joint = with_stops({{0, 4}, {0, 6}}, {{4, 4, 0.0}}).duration;
+  EXPECT_DOUBLE_EQ(joint, profile.duration);
+  EXPECT_DOUBLE_EQ(with_stops({{0, 10}}, {{0, 0, 0.0}, {10, 10, 0.0}}).duration, 6.5);
+  const std::vector<Segment> back = {{0, 4}, {0, -6}};
+  EXPECT_DOUBLE_EQ(with_stops(back, {{4, 4, 0.0}}).duration, duration_of(back, car()));
+  EXPECT_THROW((void)with_stops(back, {{3, 4, 0.0}}), InputError);
+}
+
 TEST(Speed, WhereTheCurvatureJumpsItStandsUntilTheWheelsAreTurned) {
   const double full = 1 / car().min_turning_radius;  // 0.75 rad
   const SpeedProfile profile = speed_profile(path_of({{0, 1}, {full, 1}, {-full, 1}}), car());

@@ -389,7 +389,8 @@ std::vector<search::Route> open_ways(const Task& task, const search::CostRule& r
   if (!rule.is_length()) rules.push_back(rule);
   for (const CostRule& of : rules) {
     Connector connector(task, of);
-    const std::optional<Piece> piece = connector.steer(task.start, task.goal, {of.initial_gear, of.final_gear});
+    const std::optional<Piece> piece =
+        connector.steer(task.start, task.goal, {of.initial_gear, of.final_gear});
     if (!piece || !connector.is_free(task.start, *piece)) continue;
     Route& route = routes.emplace_back(Route{task.start, {{*piece, task.goal}}, 0.0});
     price(Connector(task, rule), route);

@@ -40,8 +40,8 @@ Shortener::Shortener(Connector& connector, Route route, std::uint64_t seed, Scop
     : connector_(connector),
       measure_(std::move(measure)),
       route_(std::move(route)),
-      beside_(beside.value_or(DrivenBeside{connector.rule().initial_gear,
-                                                          connector.rule().final_gear})),
+      beside_(beside.value_or(
+          DrivenBeside{connector.rule().initial_gear, connector.rule().final_gear})),
       window_{0, route_.legs.size()},
       visit_cost_(route_.cost),
       rng_(seed),

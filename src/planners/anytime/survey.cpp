@@ -54,7 +54,10 @@ Driven driven_of(const Connector& connector, const DriveField::Node& node) {
 }  // namespace
 
 Survey::Survey(const Task& task, const CostRule& rule)
-    : task_(task), forth_(task, rule), back_(task, reversed(rule, -rule.final_gear)), box_(box_around(task)) {}
+    : task_(task),
+      forth_(task, rule),
+      back_(task, reversed(rule, -rule.final_gear)),
+      box_(box_around(task)) {}
 
 // Prepares the guide and the raster. True when both are complete.
 bool Survey::prepare() {
