@@ -46,14 +46,14 @@ SpeedProfile speeds_from(const Document& file, const Node& node) {
 }
 
 nlohmann::ordered_json json_of(const SpeedProfile& speeds) {
-  using Json = nlohmann::ordered_json;
-  Json knots = Json::array();
+  using Value = nlohmann::ordered_json;
+  Value knots = Value::array();
   for (const SpeedKnot& knot : speeds.knots) {
-    Json json = {{"t", knot.t}, {"s", knot.s}, {"v", knot.v}, {"a", knot.a}};
+    Value json = {{"t", knot.t}, {"s", knot.s}, {"v", knot.v}, {"a", knot.a}};
     if (knot.jerk != 0.0) json["jerk"] = knot.jerk;
     knots.push_back(std::move(json));
   }
-  Json stops = Json::array();
+  Value stops = Value::array();
   for (const Stop& stop : speeds.stops) {
     stops.push_back({{"t", stop.t},
                      {"s", stop.s},

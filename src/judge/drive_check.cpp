@@ -215,22 +215,14 @@ std::optional<DriveFault> rushed_stop(const SpeedProfile& speeds, const Track& t
   return std::nullopt;
 }
 
-/// Fault of a drive that does not stand at a via with a stop.
-std::optional<DriveFault> missed_stop(const SpeedProfile& speeds, const Track& track,
-                                      const Task& task) {
-  const auto has_stop = [](const Via& via) { return via.stop; };
-  if (std::ranges::none_of(task.via, has_stop)) return std::nullopt;
-  std::optional<Trailing> trailing;
-  if (task.vehicle.trailer) trailing.emplace(track, task.vehicle, task.hitch_angles.start);
-  std::vector<Place> standing;
-  for (const SpeedKnot& knot : speeds.knots) {
-    if (knot.v <= speed_slack) standing.push_back(place_at(track, knot.s));
-  }
-  const std::optional<std::size_t> missed =
-      judge::via_without_stop(task, track, trailing ? &*trailing : nullptr, standing);
-  if (!missed) return std::nullopt;
-  return DriveFault{text("the vehicle does not stand at via[%zu]", *missed), std::nullopt,
-                    std::nullopt};
+/// Fault of a drive that does not pass a via, or does not stand there though it has to.
+std::optional<DriveFault> missed_via_of_drive(const SpeedProfile& speeds, const Track& track,
+                                              const Task& task) {
+  const std::size_t passed = judge::passed_by(task, track, speeds);
+  if (passed == task.via.size()) return std::nullopt;
+  return DriveFault{
+      text("the vehicle does not %s via[%zu]", task.via[passed].stop ? "stand at" : "pass", passed),
+      std::nullopt, std::nullopt};
 }
 
 /// Vehicle or trailer of a drive, for the search of meetings.
@@ -355,7 +347,7 @@ DriveCheck check_drive(const Problem& problem, const TimedPath& drive, const Dri
     fault = judge::acceleration_jump(speeds, claims.start_speed);
   }
   if (!fault) fault = rushed_stop(speeds, track, task);
-  if (!fault) fault = missed_stop(speeds, track, task);
+  if (!fault) fault = missed_via_of_drive(speeds, track, task);
   if (!fault) fault = company_fault(task, speeds, track, claims, check);
   return verdict(std::move(check), fault, *problem.world(), track);
 }

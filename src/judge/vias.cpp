@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "judge/goals.h"
+#include "judge/speed_knots.h"
 #include "judge/steering.h"
 #include "judge/text.h"
 
@@ -182,20 +183,22 @@ Passings passings(const Task& task, const Track& track, const Trailing* trailing
   return AllPassings(task, track, trailing).find();
 }
 
-std::optional<std::size_t> via_without_stop(const Task& task, const Track& track,
-                                            const Trailing* trailing,
-                                            const std::vector<Place>& standing) {
+std::size_t passed_by(const Task& task, const Track& track, const SpeedProfile& speeds) {
+  std::optional<Trailing> trailing;
+  if (task.vehicle.trailer) trailing.emplace(track, task.vehicle, task.hitch_angles.start);
   std::vector<Joint> stops;
-  for (const Place& place : standing) stops.push_back({place});
+  for (const SpeedKnot& knot : speeds.knots) {
+    if (knot.v <= speed_slack) stops.push_back({place_behind(track, knot.s)});
+  }
   Place from;
   for (std::size_t i = 0; i < task.via.size(); ++i) {
-    const Passing passing(task, track, trailing, task.via[i]);
+    const Passing passing(task, track, trailing ? &*trailing : nullptr, task.via[i]);
     const std::optional<Place> next =
         task.via[i].stop ? passing.first_of(stops, from, true) : passing.first(from);
     if (!next) return i;
     from = *next;
   }
-  return std::nullopt;
+  return task.via.size();
 }
 
 std::optional<std::string> false_passings(const Task& task, const Track& track,

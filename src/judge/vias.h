@@ -9,6 +9,7 @@
 
 #include "judge/track.h"
 #include "judge/trailing.h"
+#include "vandplan/motion.h"
 #include "vandplan/problem.h"
 
 namespace vandplan::judge {
@@ -27,11 +28,10 @@ struct Passings {
 /// begins, else as early as possible. It passes the vias behind it from there, or not at all.
 [[nodiscard]] Passings passings(const Task& task, const Track& track, const Trailing* trailing);
 
-/// Index of the first via that a drive misses: the vehicle passes it behind those before it, and
-/// stands there if it has to. `standing`: places in order at which the vehicle stands.
-[[nodiscard]] std::optional<std::size_t> via_without_stop(const Task& task, const Track& track,
-                                                          const Trailing* trailing,
-                                                          const std::vector<Place>& standing);
+/// Number of vias, from the first one on, that a drive along a track passes in their order. It
+/// stands at those where it has to.
+[[nodiscard]] std::size_t passed_by(const Task& task, const Track& track,
+                                    const SpeedProfile& speeds);
 
 /// What is wrong with stated places where a track passes vias; none if nothing is.
 [[nodiscard]] std::optional<std::string> false_passings(const Task& task, const Track& track,

@@ -105,6 +105,15 @@ bool is_there(const Task& task) {
   return reeds_shepp_length(task.start, task.goal, task.vehicle.min_turning_radius) == 0.0;
 }
 
+Task to_set_behind_vias(Task task) {
+  if (task.via.empty() || !task.goal_set.empty()) return task;
+  GoalRegion region = region_of_pose(task.goal);
+  region.curvature = task.curvatures.goal;
+  region.hitch_angle = {task.hitch_angles.goal, task.hitch_angles.goal};
+  task.goal_set = {region};
+  return task;
+}
+
 // A drive back along the line leads from the goal to where the line begins, trailers included.
 Task before_line(const Task& task) {
   if (task.last_stretch == 0.0) return task;

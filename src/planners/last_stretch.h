@@ -21,6 +21,9 @@ namespace vandplan::planning {
 /// Whether a task needs no path: the goal is the start, with wheels and trailer as they are.
 [[nodiscard]] bool is_there(const Task& task);
 
+/// The task with its one goal as a set if it has vias: what passes them is planned to sets.
+[[nodiscard]] Task to_set_behind_vias(Task task);
+
 /// The task of driving to where the straight line of `task` begins. The task itself without one.
 [[nodiscard]] Task before_line(const Task& task);
 

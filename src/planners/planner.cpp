@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "planners/in_time.h"
+#include "planners/last_stretch.h"
 #include "planners/options.h"
 #include "planners/plan_to_set.h"
 #include "planners/pricing.h"
@@ -48,14 +49,6 @@ bool has_legs(const Task& task) {
   return !task.via.empty() || std::ranges::any_of(task.goal_set, [](const GoalRegion& region) {
     return region.straight > 0.0;
   });
-}
-
-/// The region of the one goal of a task. What passes vias is planned to sets of goals.
-GoalRegion region_of_goal(const Task& task) {
-  GoalRegion region = region_of_pose(task.goal);
-  region.curvature = task.curvatures.goal;
-  region.hitch_angle = {task.hitch_angles.goal, task.hitch_angles.goal};
-  return region;
 }
 
 /// The claims about a path that the judge checks.
@@ -169,7 +162,7 @@ PlanResult plan(const Problem& problem, const Planner& planner, const PlanOption
   const search::Budget clock(all.budget);
   Task task = task_of(problem, all.clearance, *all.steering);
   std::optional<PlannerAnswer> answer = settled(task);
-  if (!task.via.empty() && task.goal_set.empty()) task.goal_set = {region_of_goal(task)};
+  task = planning::to_set_behind_vias(std::move(task));
   if (!answer) {
     const bool takes_task = (task.goal_set.empty() || planner.can(Capability::goal_sets)) &&
                             (!has_legs(task) || planner.can(Capability::via));

@@ -54,13 +54,11 @@ class Replanner::Impl {
       : options_(options), problem_(make_problem(scenario)), ground_(*problem_.world()) {
     check_options(options);
     check_vehicle_of(scenario);
-    if (!scenario.via.empty()) {
-      throw InputError("via", "is given, expected none: replanning drives to the goal alone");
-    }
     const Task& task = problem_.task();
     scene_.vehicle = task.vehicle;
     scene_.planned = driving::with_reserve(task.vehicle, options.reserve);
     moving_ = task.moving;
+    scene_.via = via_ = task.via;
     take_goal();
     (void)complete(default_planner(), options_.plan, task.vehicle);
   }
@@ -100,6 +98,7 @@ class Replanner::Impl {
     scene_.world = ground_.world();
     scene_.moving = later(moving_, t);
     if (ground_version_ != ground_.version()) judged_.ground = false;
+    if (answer_.drive) scene_.via = via_behind(scene_, via_, begin_of_drive(), driven_until(t));
     has_news_ = !judged_.all();
     ground_version_ = ground_.version();
     if (!answer_.drive) {
@@ -157,6 +156,7 @@ class Replanner::Impl {
 
   void set(ReplanAnswer answer) {
     answer_ = std::move(answer);
+    via_ = scene_.via;
     TimedPath drive = *answer_.drive;
     drive.path.start.x += ground_.origin().x;
     drive.path.start.y += ground_.origin().y;
@@ -214,6 +214,15 @@ class Replanner::Impl {
          .reason = "the vehicle is not where it should be"});
     judged_ = {};
     return true;
+  }
+
+  [[nodiscard]] RigMotion begin_of_drive() const {
+    return {{.pose = answer_.drive->path.start}, answer_.start_hitch_angle};
+  }
+
+  /// Part of the current drive before time `t` [s].
+  [[nodiscard]] TimedPath driven_until(double t) const {
+    return before(*answer_.drive, scene_.vehicle, t - answer_.begin);
   }
 
   /// Rest of the current drive from time `t` on [s].
@@ -367,6 +376,7 @@ class Replanner::Impl {
   Scene scene_;
   Judging judging_{scene_, options_.plan.clearance};
   std::vector<MovingObstacle> moving_;  // moving obstacles, with times of the clock
+  std::vector<Via> via_;                // what lay ahead when the answer's drive began
   ReplanAnswer answer_;                 // answer of the last tick, in the frame of the ground
   ReplanAnswer out_;                    // answer of the last tick, in the scenario's frame
   std::int64_t ground_version_ = 0;

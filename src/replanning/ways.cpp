@@ -6,8 +6,11 @@
 #include <cmath>
 #include <utility>
 
+#include "judge/track.h"
+#include "judge/vias.h"
 #include "moving/yielding.h"
 #include "planners/in_time.h"
+#include "planners/last_stretch.h"
 #include "speed/moving_start.h"
 #include "vandplan/input_error.h"
 #include "vandplan/search.h"
@@ -30,6 +33,9 @@ double largest_growth(std::span<const MovingObstacle> moving) {
   for (const MovingObstacle& obstacle : moving) most = std::max(most, obstacle.inflate);
   return most;
 }
+
+/// A drive along a path that stands at its end, and nowhere before.
+TimedPath stopping_at(const Path& path) { return {path, {.knots = {{.s = length(path)}}}}; }
 
 bool begins_in_gear(const std::vector<Segment>& segments, Gear gear) {
   return segments.empty() || segments.front().gear() == gear;
@@ -57,11 +63,22 @@ Problem problem_to(const Scene& scene, const Vehicle& vehicle, const RigMotion& 
 
 Problem problem_from(const Scene& scene, const Vehicle& vehicle, const RigMotion& from) {
   if (!scene.goal_set.empty()) {
-    return with_goal_set(problem_to(scene, vehicle, from, from), scene.goal_set);
+    return with_via(with_goal_set(problem_to(scene, vehicle, from, from), scene.goal_set),
+                    scene.via);
   }
   const RigMotion goal{{.pose = scene.goal, .curvature = scene.goal_curvature},
                        scene.goal_hitch_angle};
-  return problem_to(scene, vehicle, from, goal);
+  return with_via(problem_to(scene, vehicle, from, goal), scene.via);
+}
+
+// The vehicle has passed as many as the judge finds.
+std::vector<Via> via_behind(const Scene& scene, const std::vector<Via>& via, const RigMotion& begin,
+                            const TimedPath& drive) {
+  if (via.empty()) return {};
+  const Problem problem = with_via(problem_to(scene, scene.vehicle, begin, begin), via);
+  const std::size_t passed =
+      judge::passed_by(problem.task(), judge::integrate(drive.path), drive.speeds);
+  return {via.begin() + static_cast<std::ptrdiff_t>(passed), via.end()};
 }
 
 double Ways::braking_distance(double v) const {
@@ -77,16 +94,19 @@ double Ways::cost_of(const TimedPath& drive) const {
   return search::drive_cost(rule, drive.path.segments, driven) + in_time::time_price * time;
 }
 
-/// Limits of zones on the speed along a path that begins with a motion.
-std::vector<SpeedLimit> Ways::limits_along(const Path& path, const RigMotion& begin) const {
+/// Limits of zones and vias on the speed along a path that begins with a motion.
+std::vector<SpeedLimit> Ways::limits_along(const Path& path, const RigMotion& begin,
+                                           const std::vector<Via>& via) const {
   const Surroundings& ground = scene_.world->local();
-  if (ground.zones.empty() && ground.masks.empty()) return {};
-  return speed_options(problem_to(scene_, scene_.planned, begin, begin), path).limits;
+  if (ground.zones.empty() && ground.masks.empty() && via.empty()) return {};
+  const Problem problem = problem_to(scene_, scene_.planned, begin, begin);
+  return speed_options(with_via(problem, via), path).limits;
 }
 
 /// Speeds for a path that the vehicle begins `t` seconds from now; none if none are found.
-std::optional<TimedPath> Ways::timed(const Path& path, const RigMotion& begin, double t,
-                                     double margin, const WorkLimit& limit, double longest) {
+std::optional<TimedPath> Ways::timed(const Path& path, const RigMotion& begin,
+                                     const std::vector<Via>& via, double t, double margin,
+                                     const WorkLimit& limit, double longest) {
   const double speed = standing_or(speed_of(begin));
   if (speed > 0.0 && !begins_in_gear(path.segments, begin.gear)) return std::nullopt;
   const std::vector<MovingObstacle> moving = later(scene_.moving, t);
@@ -95,7 +115,7 @@ std::optional<TimedPath> Ways::timed(const Path& path, const RigMotion& begin, d
                                 // contains it.
                                 .margin = margin + t * largest_growth(moving),
                                 .start_curvature = begin.curvature,
-                                .limits = limits_along(path, begin),
+                                .limits = limits_along(path, begin, via),
                                 .start_hitch_angle = begin.hitch_angle,
                                 .start_speed = speed,
                                 .longest = longest,
@@ -109,23 +129,25 @@ std::optional<TimedPath> Ways::timed(const Path& path, const RigMotion& begin, d
 
 /// Path of the planner from standstill, `t` seconds from now; none if it finds none. The
 /// path is not judged: callers have the whole drive judged before they take it.
-std::optional<std::vector<Segment>> Ways::segments_to_goal(const RigMotion& from, double t,
+std::optional<std::vector<Segment>> Ways::segments_to_goal(const RigMotion& from,
+                                                           const std::vector<Via>& via, double t,
                                                            const PlanOptions& options,
                                                            bool whole_drive) {
   const bool has_set = !scene_.goal_set.empty();
   const double radius = scene_.vehicle.min_turning_radius;
   const bool is_folded_alike =
       !scene_.vehicle.trailer || from.hitch_angle == scene_.goal_hitch_angle;
-  if (!has_set && is_folded_alike && reeds_shepp_length(from.pose, scene_.goal, radius) == 0.0) {
+  if (!has_set && via.empty() && is_folded_alike &&
+      reeds_shepp_length(from.pose, scene_.goal, radius) == 0.0) {
     return std::vector<Segment>{};
   }
   try {
-    Problem problem = problem_from(scene_, scene_.planned, from);
+    Problem problem = with_via(problem_from(scene_, scene_.planned, from), via);
     if (t >= 0.0) problem = with_moving(std::move(problem), later(scene_.moving, t));
     const Planner& planner = default_planner();
     PlanOptions all = complete(planner, options, scene_.vehicle);
     all.budget = deadline_.cut(all.budget);
-    const Task task = task_of(problem, all.clearance, *all.steering);
+    const Task task = planning::to_set_behind_vias(task_of(problem, all.clearance, *all.steering));
     if (!task.checker->is_free(start_state(task))) return std::nullopt;
     if (!has_set && !task.checker->is_free(goal_state(task))) return std::nullopt;
     const bool is_drive = whole_drive || !task.moving.empty();
@@ -142,10 +164,10 @@ std::optional<NewDrive> Ways::from_standing(const RigMotion& from, const WorkLim
   PlanOptions options = options_;
   options.budget.seed = limit.seed;
   if (!options.budget.time_limit) options.budget.max_iterations = limit.iterations;
-  auto segments = segments_to_goal(from, 0.0, options, true);
+  auto segments = segments_to_goal(from, scene_.via, 0.0, options, true);
   if (!segments) return std::nullopt;
   const Path path{from.pose, *std::move(segments)};
-  auto drive = timed(path, from, 0.0, options_.clearance.margin, limit, endless);
+  auto drive = timed(path, from, scene_.via, 0.0, options_.clearance.margin, limit, endless);
   if (!drive) return std::nullopt;
   NewDrive way{*std::move(drive), TickOutcome::new_way, true};
   way.cost = cost_of(way.drive);
@@ -153,8 +175,8 @@ std::optional<NewDrive> Ways::from_standing(const RigMotion& from, const WorkLim
 }
 
 /// Path that a look finds for a vehicle that begins it `t` seconds from now.
-std::optional<Path> Ways::path_of(Look look, const CutDrive& from, double t,
-                                  const WorkLimit& limit) {
+std::optional<Path> Ways::path_of(Look look, const CutDrive& from, const std::vector<Via>& via,
+                                  double t, const WorkLimit& limit) {
   const RigMotion& begin = from.begin;
   if (look == Look::new_times) return from.drive.path;
   PlanOptions options = options_;
@@ -181,7 +203,9 @@ std::optional<Path> Ways::path_of(Look look, const CutDrive& from, double t,
     }
   }
   if (look == Look::around) begins_at = t + 2 * length(path.segments) / std::max(speed, stands);
-  const auto found = segments_to_goal(root, begins_at, options, limit.whole_drive);
+  const std::vector<Via> ahead =
+      path.segments.empty() ? via : via_behind(scene_, via, begin, stopping_at(path));
+  const auto found = segments_to_goal(root, ahead, begins_at, options, limit.whole_drive);
   if (!found || found->empty()) return std::nullopt;
   path.segments.insert(path.segments.end(), found->begin(), found->end());
   return path;
@@ -196,11 +220,12 @@ std::optional<NewDrive> Ways::to_goal(Look look, const CutDrive& rest, const Wis
   const double t = std::min(wish.committed, rest.drive.speeds.duration);
   const TimedPath prefix = before(rest.drive, scene_.vehicle, t);
   const CutDrive after = rest_of(rest.drive, scene_.vehicle, t, rest.begin.hitch_angle);
-  const std::optional<Path> tail = path_of(look, after, t, limit);
+  const std::vector<Via> via = via_behind(scene_, scene_.via, rest.begin, prefix);
+  const std::optional<Path> tail = path_of(look, after, via, t, limit);
   if (!tail) return std::nullopt;
   // The fastest speeds give a lower bound of the cost.
   const RigMotion& begin = after.begin;
-  const std::vector<SpeedLimit> limits = limits_along(*tail, begin);
+  const std::vector<SpeedLimit> limits = limits_along(*tail, begin, via);
   const auto fastest = speed::profile_from(*tail, scene_.planned,
                                            {begin.curvature, standing_or(speed_of(begin)), limits});
   if (!fastest) return std::nullopt;
@@ -208,7 +233,7 @@ std::optional<NewDrive> Ways::to_goal(Look look, const CutDrive& rest, const Wis
   if (left <= 0.0) return std::nullopt;
   const bool is_time = options_.cost.measure == CostMeasure::time;
   const double longest = fastest->duration + (is_time ? left : left / in_time::time_price);
-  const auto drive = timed(*tail, begin, t, options_.clearance.margin, limit, longest);
+  const auto drive = timed(*tail, begin, via, t, options_.clearance.margin, limit, longest);
   if (!drive) return std::nullopt;
   const bool is_same = look == Look::new_times;
   NewDrive way{joined(prefix, *drive), is_same ? TickOutcome::new_times : TickOutcome::new_way,
@@ -227,7 +252,7 @@ std::optional<NewDrive> Ways::to_stop(int i, const CutDrive& rest, double margin
   const double far = first + (whole - first) * i * i / ((stops - 1) * (stops - 1));
   if (far <= shortest_stop) return NewDrive{standing_at(rest.begin.pose), TickOutcome::stop};
   const Path path{rest.begin.pose, cut(segments, 0.0, far)};
-  auto drive = timed(path, rest.begin, 0.0, margin, limit, endless);
+  auto drive = timed(path, rest.begin, scene_.via, 0.0, margin, limit, endless);
   if (!drive) return std::nullopt;
   return NewDrive{*std::move(drive), TickOutcome::stop};
 }

@@ -26,6 +26,7 @@ struct Scene {
   double goal_hitch_angle = 0.0;
   /// Goals that replace `goal`; empty if `goal` is the only one.
   std::vector<GoalRegion> goal_set = {};
+  std::vector<Via> via = {};                ///< what lies ahead before the goal, in this order
   std::vector<MovingObstacle> moving = {};  ///< moving obstacles; time 0 is now
 };
 
@@ -98,16 +99,18 @@ class Ways {
   [[nodiscard]] const Work& work() const noexcept { return work_; }
 
  private:
-  [[nodiscard]] std::vector<SpeedLimit> limits_along(const Path& path,
-                                                     const RigMotion& begin) const;
-  [[nodiscard]] std::optional<TimedPath> timed(const Path& path, const RigMotion& begin, double t,
-                                               double margin, const WorkLimit& limit,
-                                               double longest);
+  [[nodiscard]] std::vector<SpeedLimit> limits_along(const Path& path, const RigMotion& begin,
+                                                     const std::vector<Via>& via) const;
+  [[nodiscard]] std::optional<TimedPath> timed(const Path& path, const RigMotion& begin,
+                                               const std::vector<Via>& via, double t, double margin,
+                                               const WorkLimit& limit, double longest);
   [[nodiscard]] std::optional<std::vector<Segment>> segments_to_goal(const RigMotion& from,
+                                                                     const std::vector<Via>& via,
                                                                      double t,
                                                                      const PlanOptions& options,
                                                                      bool whole_drive);
-  [[nodiscard]] std::optional<Path> path_of(Look look, const CutDrive& from, double t,
+  [[nodiscard]] std::optional<Path> path_of(Look look, const CutDrive& from,
+                                            const std::vector<Via>& via, double t,
                                             const WorkLimit& limit);
   [[nodiscard]] double braking_distance(double v) const;
 
@@ -117,7 +120,11 @@ class Ways {
   Work work_;
 };
 
-/// Problem from a place of a drive to the goals of a scene, without moving obstacles.
+/// Those of some vias that still lie ahead after a drive from `begin`.
+[[nodiscard]] std::vector<Via> via_behind(const Scene& scene, const std::vector<Via>& via,
+                                          const RigMotion& begin, const TimedPath& drive);
+
+/// Problem from a place of a drive past the vias to the goals of a scene, without moving obstacles.
 [[nodiscard]] Problem problem_from(const Scene& scene, const Vehicle& vehicle,
                                    const RigMotion& from);
 

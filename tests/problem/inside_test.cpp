@@ -13,6 +13,7 @@
 #include "support/draws.h"
 #include "support/place_of_error.h"
 #include "support/problems.h"
+#include "support/zoned.h"
 #include "vandplan/judge.h"
 #include "vandplan/planner.h"
 #include "vandplan/replanner.h"
@@ -32,12 +33,6 @@ Scenario in_area(const Pose& start, const Pose& goal, std::vector<Polygon> insid
           .start = start,
           .goal = goal,
           .inside = std::move(inside)};
-}
-
-PlanOptions of_iterations(std::int64_t iterations) {
-  PlanOptions options;
-  options.budget.max_iterations = is_sanitized ? iterations / 20 : iterations;
-  return options;
 }
 
 /// Whether a point is in that corner, with some room for rounding.

@@ -104,6 +104,36 @@ TEST(Replanner, GoesRoundWhatComesUpAndKeepsTheNextSecond) {
   }
 }
 
+TEST(Replanner, PassesViasOnceWhateverComesUp) {
+  Scenario scenario = lane();
+  GoalRegion gate{.x = {14, 16}, .y = {2, 6}, .heading = any_heading};
+  GoalRegion stop = region_of_pose({48, -4, 0});
+  stop.heading = any_heading;
+  scenario.via = {{{gate}}, {{stop}, true}};
+  Replanner replanner(scenario);
+  ASSERT_TRUE(replanner.tick(0).reaches_goal);
+  double at_gate = 0, at_stop = 0;
+  bool has_new_way = false;
+  for (double t = 0; t < 80 && !replanner.answer().has_arrived; t += tick_period) {
+    if (std::abs(t - 6) < tick_period / 2) {
+      replanner.patch({.added = {{7, box(30, -4, 33, 4)}}});
+    }
+    const ReplanAnswer answer = replanner.tick(t);
+    has_new_way = has_new_way || (t > 5 && answer.outcome == TickOutcome::new_way);
+    EXPECT_TRUE(answer.reaches_goal) << t << ": " << answer.reason;
+    const Motion motion =
+        motion_at(answer.drive->path, scenario.vehicle, answer.drive->speeds, t - answer.begin);
+    const Pose& pose = motion.pose;
+    if (at_gate == 0 && std::abs(pose.x - 15) < 1.3 && pose.y > 1.7) at_gate = t;
+    const bool stands = std::abs(motion.v) < 0.2;
+    if (stands && std::hypot(pose.x - 48, pose.y + 4) < 0.1) at_stop = t;
+  }
+  EXPECT_TRUE(has_new_way);
+  EXPECT_GT(at_gate, 0);
+  EXPECT_GT(at_stop, at_gate);
+  EXPECT_TRUE(replanner.answer().has_arrived);
+}
+
 /// What a drive costs by its prices and its seconds, but for being near things.
 double cost_of(const TimedPath& drive) {
   const search::CostRule prices = search::cost_rule({});
