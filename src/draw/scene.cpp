@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "geometry/boxes.h"
 #include "vandplan/input_error.h"
 #include "vandplan/vehicle.h"
 
@@ -56,21 +57,9 @@ TreeSnapshot moved(TreeSnapshot tree, const Point& origin) {
   return tree;
 }
 
-Bounds united(const Bounds& a, const Bounds& b) {
-  return {std::min(a.x_min, b.x_min), std::max(a.x_max, b.x_max), std::min(a.y_min, b.y_min),
-          std::max(a.y_max, b.y_max)};
+bool is_inside(const Bounds& box, const Bounds& around) {
+  return geometry::shared(box, around) == box;
 }
-
-Bounds widened(const Bounds& box, double margin) {
-  return {box.x_min - margin, box.x_max + margin, box.y_min - margin, box.y_max + margin};
-}
-
-Bounds common(const Bounds& a, const Bounds& b) {
-  return {std::max(a.x_min, b.x_min), std::min(a.x_max, b.x_max), std::max(a.y_min, b.y_min),
-          std::min(a.y_max, b.y_max)};
-}
-
-bool is_inside(const Bounds& box, const Bounds& around) { return common(box, around) == box; }
 
 double extent(const Bounds& box) { return std::max(box.x_max - box.x_min, box.y_max - box.y_min); }
 
@@ -325,20 +314,20 @@ std::vector<Stroke> strokes_of(const Scene& scene, double step) {
 
 Framing framed(const Scene& scene) {
   const Bounds core = surroundings_of_path(scene);
-  const Bounds reach = widened(core, most_around * extent(core));
+  const Bounds reach = geometry::widened(core, most_around * extent(core));
   Framing framing{core, false};
   for (const Polygon& thing : things_in(scene)) {
     const Bounds box = bounding_box(thing);
     framing.is_cropped |= !is_inside(box, reach);
-    const Bounds near = common(box, reach);
+    const Bounds near = geometry::shared(box, reach);
     if (near.x_min <= near.x_max && near.y_min <= near.y_max) {
-      framing.seen = united(framing.seen, near);
+      framing.seen = geometry::united(framing.seen, near);
     }
   }
   // The bounds of a yard are worth seeing, unlike bounds that were chosen generously.
-  const Bounds fenced = united(framing.seen, scene.bounds);
+  const Bounds fenced = geometry::united(framing.seen, scene.bounds);
   if (extent(fenced) <= most_fence * extent(framing.seen)) framing.seen = fenced;
-  framing.seen = widened(framing.seen, 1.0 + 0.03 * extent(framing.seen));
+  framing.seen = geometry::widened(framing.seen, 1.0 + 0.03 * extent(framing.seen));
   return framing;
 }
 

@@ -54,7 +54,7 @@ using LegPointer = std::shared_ptr<ViaLeg>;
 struct ViaTrial {
   std::size_t via;
   ViaNode node;
-  LegPointer to, from;
+  LegPointer legs[2];                // to it, and from it
   std::int64_t chance = first_look;  // iterations for each leg
 };
 
@@ -241,12 +241,11 @@ class ViaSearch final : public PathSearch {
 
   [[nodiscard]] bool fits(const Segment& before, const ViaLeg& leg) const {
     const Segment& next = leg.path->front();
-    const bool rolls =
-        search::rolling_beyond(leg.task, true) != 0 && before.length * next.length > 0.0;
-    const bool may_jump = task_.steering == Steering::reeds_shepp ||
-                          (task_.steering == Steering::continuous_between_stops && !rolls);
-    const double jump = next.curvature - search::last_driven(before).curvature;
-    return may_jump || std::abs(jump) * task_.vehicle.min_turning_radius <= same_curvature;
+    search::Driven last = search::last_driven(before);
+    if (search::rolling_beyond(leg.task, true) == 0) last.gear = 0;
+    const double jump = std::abs(next.curvature - last.curvature);
+    return search::may_jump(task_.steering, last, search::gear_of(next)) ||
+           jump * task_.vehicle.min_turning_radius <= same_curvature;
   }
 
   [[nodiscard]] double cost_of(const std::optional<std::vector<Segment>>& path) const {
@@ -287,7 +286,7 @@ class ViaSearch final : public PathSearch {
     waiting_.pop_front();
     std::vector<ViaNode> chain = chain_;
     chain[via] = node;
-    trial_ = ViaTrial{via, node, leg_to(chain, via), leg_to(chain, via + 1)};
+    trial_ = ViaTrial{via, node, {leg_to(chain, via), leg_to(chain, via + 1)}};
     return true;
   }
 
@@ -295,17 +294,15 @@ class ViaSearch final : public PathSearch {
   void try_on(std::int64_t most) {
     ViaTrial& trial = *trial_;
     const std::size_t via = trial.via;
-    for (const bool is_to : {true, false}) {
-      ViaLeg& leg = is_to ? *trial.to : *trial.from;
-      const LegPointer& old = legs_[is_to ? via : via + 1];
+    std::vector<LegPointer> legs = legs_;
+    for (std::size_t end = 0; end < 2; ++end) {
+      ViaLeg& leg = *trial.legs[end];
+      const LegPointer old = std::exchange(legs[via + end], trial.legs[end]);
       if (leg.is_done || leg.spent >= trial.chance) continue;
       const std::int64_t share = std::min(most, trial.chance - leg.spent);
       spent_on_trials_ += std::max<std::int64_t>(go_on(leg, share, old.get()), 1);
       return;
     }
-    std::vector<LegPointer> legs = legs_;
-    legs[via] = trial.to;
-    legs[via + 1] = trial.from;
     const double cost = cost_of(joined(legs));
     if (cost >= cost_ && cost < is_near_best * cost_ && trial.chance < chance_of_trial) {
       trial.chance = chance_of_trial;

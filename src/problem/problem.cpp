@@ -9,6 +9,7 @@
 #include "base/derived.h"
 #include "base/require.h"
 #include "collision/ground.h"
+#include "geometry/boxes.h"
 #include "problem/checks.h"
 #include "problem/fences.h"
 #include "problem/goal_set.h"
@@ -305,10 +306,7 @@ Local<Bounds> sampling_region(const Task& task, Region region) noexcept {
   constexpr double margin = 20.0;  // room around the scene [m]
   const Point poses[] = {{task.start.x, task.start.y}, {task.goal.x, task.goal.y}};
   Bounds scene = bounding_box(poses);
-  const auto add = [&](const Bounds& box) {
-    scene = {std::min(scene.x_min, box.x_min), std::max(scene.x_max, box.x_max),
-             std::min(scene.y_min, box.y_min), std::max(scene.y_max, box.y_max)};
-  };
+  const auto add = [&](const Bounds& box) { scene = geometry::united(scene, box); };
   for (const Polygon& obstacle : ground.obstacles) add(bounding_box(obstacle));
   for (const Polygon& kerb : ground.kerbs) add(bounding_box(kerb));
   if (ground.map) add(bounding_box(outline(*ground.map)));

@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "geometry/boxes.h"
+#include "search/raster.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan::search {
@@ -26,14 +28,10 @@ double signed_distance(const Polygon& area, const Point& p) {
   double least = std::numeric_limits<double>::infinity();
   Point a = area.back();
   for (const Point& b : area) {
-    const Point u{b.x - a.x, b.y - a.y};
-    const double squared = u.x * u.x + u.y * u.y;
-    const double along = (p.x - a.x) * u.x + (p.y - a.y) * u.y;
-    const double part = squared > 0.0 ? std::clamp(along / squared, 0.0, 1.0) : 0.0;
-    least = std::min(least, std::hypot(p.x - a.x - part * u.x, p.y - a.y - part * u.y));
+    least = std::min(least, squared_distance(p, a, b));
     a = b;
   }
-  return contains(area, p) ? -least : least;
+  return contains(area, p) ? -std::sqrt(least) : std::sqrt(least);
 }
 
 /// Whether none of the directions has the sense: all point the other way.
@@ -41,11 +39,6 @@ bool bars_sense(const HeadingRange& allowed, int sense) {
   const double half = width(allowed) / 2;
   const double off = std::abs(wrap_angle(allowed.from + half - sense * std::numbers::pi / 2));
   return off - half > std::numbers::pi / 2 + slack_of_directions;
-}
-
-Bounds hull_of(const Bounds& a, const Bounds& b) {
-  return {std::min(a.x_min, b.x_min), std::max(a.x_max, b.x_max), std::min(a.y_min, b.y_min),
-          std::max(a.y_max, b.y_max)};
 }
 
 }  // namespace
@@ -70,17 +63,15 @@ Barrier::Barrier(const Task& task, GearSign only)
       }
     }
     if (!rule.is_closed && std::ranges::find(rule.bars, true) == rule.bars.end()) continue;
-    scene = hull_of(scene, rule.box);
+    scene = geometry::united(scene, rule.box);
     rules_.push_back(std::move(rule));
   }
   if (rules_.empty()) return;
-  for (const Polygon& obstacle : ground.obstacles) scene = hull_of(scene, bounding_box(obstacle));
-  if (ground.map) scene = hull_of(scene, bounding_box(outline(*ground.map)));
+  for (const Polygon& obstacle : ground.obstacles)
+    scene = geometry::united(scene, bounding_box(obstacle));
+  if (ground.map) scene = geometry::united(scene, bounding_box(outline(*ground.map)));
   const double around = 2 * (clearance_ + task.least_margin) + 2 * coarsest_cell;
-  const Bounds& bounds = ground.bounds;
-  box_ = {
-      std::max(bounds.x_min, scene.x_min - around), std::min(bounds.x_max, scene.x_max + around),
-      std::max(bounds.y_min, scene.y_min - around), std::min(bounds.y_max, scene.y_max + around)};
+  box_ = geometry::shared(ground.bounds, geometry::widened(scene, around));
   side_ = 2 * coarsest_cell;
   if (!next_lattice()) side_ = 0.0;
 }

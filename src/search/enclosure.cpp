@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/boxes.h"
+
 namespace vandplan::search {
 namespace {
 
@@ -17,21 +19,13 @@ constexpr int work_of_step = 128;    // Work of one call: runs, and obstacles lo
 // Obstacles looked at on one lattice; takes about 100 MB.
 constexpr std::int64_t max_looks = 10'000'000;
 
-/// Bounding box of two boxes.
-Bounds hull(const Bounds& a, const Bounds& b) {
-  return {std::min(a.x_min, b.x_min), std::max(a.x_max, b.x_max), std::min(a.y_min, b.y_min),
-          std::max(a.y_max, b.y_max)};
-}
-
-Bounds widened(const Bounds& box, double by) {
-  return {box.x_min - by, box.x_max + by, box.y_min - by, box.y_max + by};
-}
-
 /// Bounding box of all obstacles, the map and both ends.
 Bounds scene_of(const Surroundings& ground, const std::array<Point, 2>& ends) {
   Bounds scene = bounding_box(ends);
-  for (const Polygon& polygon : ground.obstacles) scene = hull(scene, bounding_box(polygon));
-  if (ground.map) scene = hull(scene, bounding_box(outline(*ground.map)));
+  for (const Polygon& polygon : ground.obstacles) {
+    scene = geometry::united(scene, bounding_box(polygon));
+  }
+  if (ground.map) scene = geometry::united(scene, bounding_box(outline(*ground.map)));
   return scene;
 }
 
@@ -45,10 +39,9 @@ Enclosure::Enclosure(const Task& task) : task_(task) {
   disc_ = disc.radius + task.least_margin;
   ends_ = {centre_of(disc, task.start), centre_of(disc, task.goal)};
   const Surroundings& ground = task.world->local();
-  const Bounds within = widened(ground.bounds, std::abs(disc.ahead) + slack);
-  const Bounds scene = widened(scene_of(ground, ends_), 3 * disc_);
-  box_ = {std::max(within.x_min, scene.x_min), std::min(within.x_max, scene.x_max),
-          std::max(within.y_min, scene.y_min), std::min(within.y_max, scene.y_max)};
+  const Bounds within = geometry::widened(ground.bounds, std::abs(disc.ahead) + slack);
+  const Bounds scene = geometry::widened(scene_of(ground, ends_), 3 * disc_);
+  box_ = geometry::shared(within, scene);
   side_ = 2 * coarsest * disc_;
   if (!next_lattice()) side_ = 0.0;
 }

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/boxes.h"
+
 namespace vandplan::search {
 namespace {
 
@@ -37,8 +39,7 @@ Bounds box_of_paths(const Task& task, const Disc& disc, double longest) {
   const Bounds ways = box_of_ways(centre_of(disc, task.start), centre_of(disc, task.goal),
                                   longest * stretch + disc.radius + task.least_margin);
   const double beside = std::abs(disc.ahead);  // The centre may be beside the bounds by this much.
-  return {std::max(bounds.x_min - beside, ways.x_min), std::min(bounds.x_max + beside, ways.x_max),
-          std::max(bounds.y_min - beside, ways.y_min), std::min(bounds.y_max + beside, ways.y_max)};
+  return geometry::shared(geometry::widened(bounds, beside), ways);
 }
 
 Geodesic::Geodesic(const Task& task, double longest) : task_(task), longest_(longest) {

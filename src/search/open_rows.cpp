@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/trigonometry.h"
+#include "geometry/boxes.h"
 #include "geometry/convex.h"
 
 namespace vandplan::search {
@@ -120,10 +121,7 @@ OpenRows::OpenRows(const Task& task, const Bounds& box, double side, double near
   }
   sort_into_bands();
   if (!ground.map) return;
-  map_box_ = bounding_box(outline(*ground.map));
-  const double reach = near + side;
-  map_box_ = {map_box_.x_min - reach, map_box_.x_max + reach, map_box_.y_min - reach,
-              map_box_.y_max + reach};
+  map_box_ = geometry::widened(bounding_box(outline(*ground.map)), near + side);
 }
 
 /// Place in cells from the middle of the first one; places outside the lattice are clamped to it.

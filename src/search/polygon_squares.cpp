@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/boxes.h"
+
 namespace vandplan::search {
 namespace {
 
@@ -22,10 +24,7 @@ PolygonSquares::PolygonSquares(std::span<const Polygon> polygons) : polygons_(po
   boxes.reserve(polygons.size());
   for (const Polygon& polygon : polygons) boxes.push_back(bounding_box(polygon));
   extent_ = boxes.front();
-  for (const Bounds& box : boxes) {
-    extent_ = {std::min(extent_.x_min, box.x_min), std::max(extent_.x_max, box.x_max),
-               std::min(extent_.y_min, box.y_min), std::max(extent_.y_max, box.y_max)};
-  }
+  for (const Bounds& box : boxes) extent_ = geometry::united(extent_, box);
   const double width = std::max(extent_.x_max - extent_.x_min, 1e-3);
   const double height = std::max(extent_.y_max - extent_.y_min, 1e-3);
   const double squares =

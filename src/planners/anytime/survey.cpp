@@ -8,6 +8,8 @@
 #include <numbers>
 #include <utility>
 
+#include "geometry/boxes.h"
+
 namespace vandplan::anytime {
 namespace {
 
@@ -41,10 +43,8 @@ constexpr double least_joint = 0.5;
 
 Bounds box_around(const Task& task) {
   const Bounds scene = sampling_region(task, Region::scene);
-  const Bounds& bounds = task.world->local().bounds;
   const double more = border * task.vehicle.min_turning_radius;
-  return {std::max(scene.x_min - more, bounds.x_min), std::min(scene.x_max + more, bounds.x_max),
-          std::max(scene.y_min - more, bounds.y_min), std::min(scene.y_max + more, bounds.y_max)};
+  return geometry::shared(task.world->local().bounds, geometry::widened(scene, more));
 }
 
 Driven driven_of(const Connector& connector, const DriveField::Node& node) {
