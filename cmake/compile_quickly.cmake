@@ -19,6 +19,14 @@ function(vandplan_count_no_lines target)
   endif()
 endfunction()
 
+# With VANDPLAN_FUZZ, code that reads files tells fuzz targets what it compares, which they then try.
+# In all code that would take more than half of the time of the tests.
+function(vandplan_tell_comparisons target)
+  if(VANDPLAN_FUZZ)
+    target_compile_options(${target} PRIVATE -fsanitize-coverage=trace-cmp)
+  endif()
+endfunction()
+
 # With VANDPLAN_UNITY, the files of a target are compiled a dozen at a time, so that what they take
 # from large headers of others is made once. It needs names that differ within the target, those of
 # unnamed namespaces too.
