@@ -106,7 +106,7 @@ Case any_case(Rng& rng) {
 }
 
 TEST(CollisionLaw, WhatIsAcceptedIsValidAndWhatIsClearIsAccepted) {
-  constexpr int count = 100000;
+  constexpr int count = 40000;
   int accepted = 0;
   int barely_accepted = 0;  // within 4 mm of an obstacle
   int rejected = 0;
@@ -163,7 +163,7 @@ Case shrunk(Case c, double by) {
 }
 
 TEST(CollisionLaw, SidesMayEndFarAway) {
-  constexpr int count = 20000;
+  constexpr int count = 10000;
   int accepted = 0;
   int rejected = 0;
   for_each_case(4, count, [&](Rng& rng) {
@@ -323,7 +323,7 @@ bool judged_within(const Path& path, const Bounds& bounds) {
 }
 
 TEST(CollisionLaw, TheRearAxleIsKeptInTheBoundsToAMicrometre) {
-  constexpr int count = 100000;
+  constexpr int count = 50000;
   int accepted = 0;
   int rejected = 0;
   for_each_case(2, count, [&](Rng& rng) {

@@ -192,7 +192,7 @@ std::vector<Route> survey(const Problem& problem, const CostRule& rule, double c
 
 TEST(Survey, EveryRouteIsValid) {
   int found = 0;
-  for_each_case(11, 40, [&](Rng& rng) {
+  for_each_case(11, 20, [&](Rng& rng) {
     const Problem problem = random_problem(rng);
     const CostRule& rule = rules[1];
     const std::vector<Route> routes = survey(problem, rule, 300.0);
@@ -208,7 +208,7 @@ TEST(Survey, EveryRouteIsValid) {
     }
     found += routes.empty() ? 0 : 1;
   });
-  EXPECT_GT(found, 0.8 * cases(40));
+  EXPECT_GT(found, 0.8 * cases(20));
 }
 
 TEST(Survey, FindsTheWaysOnBothSidesOfAnObstacle) {

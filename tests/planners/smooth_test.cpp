@@ -56,7 +56,7 @@ double largest_distance(const Path& path, const Path& other) {
 
 TEST(Smooth, WhatItGivesCanBeFollowedAndIsFree) {
   int paths = 0, smoothed = 0;
-  for_each_case(1, 120, [&](Rng& rng) {
+  for_each_case(1, 60, [&](Rng& rng) {
     const Problem problem = random_problem_to_smooth(rng);
     const std::optional<Path> path = jumping_path(problem, rng());
     if (!path || path->segments.empty()) return;

@@ -184,7 +184,7 @@ TEST_P(OnTheWay, EverythingIsPlanned) {
                       {.area = box(4, -3, 10, 3), .cost = 2, .body = true}};
   }
   PlanOptions options;
-  options.budget.max_iterations = is_sanitized ? 200 : 5000;
+  options.budget.max_iterations = is_sanitized ? 200 : 2500;
   options.cost.measure = measure;
   options.steering = steering;
   options.clearance = {margin, 0.0};
