@@ -38,10 +38,10 @@ function(vandplan_compile_together target)
   endif()
 endfunction()
 
-# With VANDPLAN_UNITY, the files of each of these folders of a target are compiled together. Names in
-# unnamed namespaces must differ within such a folder.
+# With VANDPLAN_UNITY, the files of each of these folders of the core are compiled together, unless only
+# those around it are. Names in unnamed namespaces must differ within such a folder.
 function(vandplan_compile_folders_together target)
-  if(VANDPLAN_UNITY)
+  if(VANDPLAN_UNITY AND NOT VANDPLAN_UNITY STREQUAL AROUND_CORE)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
     get_target_property(sources ${target} SOURCES)
