@@ -12,25 +12,17 @@
 #include <utility>
 #include <vector>
 
-#include "planners/anytime/compose.h"
 #include "planners/goal_poses.h"
 #include "planners/last_stretch.h"
 #include "planners/pricing.h"
-#include "planners/set_bounds.h"
-#include "problem/goal_set.h"
+#include "planners/set_goals.h"
 #include "vandplan/search.h"
-#include "vandplan/steering.h"
 
 namespace vandplan::planning {
 namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
 
-/// Most goals of a region that are searched for: with one interval, and with several.
-constexpr std::size_t max_goals_of_line = 16;
-constexpr std::size_t max_goals_of_region = 64;
-constexpr std::size_t max_goals_of_set = 2048;  // most goals of all regions, but two of each
-constexpr std::size_t max_open_ways = 2;  // goals tried on open ground before the first search
 /// Work on the most promising goal after which twice as many goals are looked at [iterations].
 constexpr double work_of_doubling = 64.0;
 /// Work on a goal is weighted by its cost over the best cost, to a power that grows, as a first
@@ -46,10 +38,7 @@ constexpr double first_share = 0.125;
 constexpr double last_share = 5e-4;
 
 /// A goal of the set and the search for a path to it.
-struct Candidate {
-  GoalPoint point;
-  Task task;
-  double bound = 0.0;              // lower bound of the cost of paths to the goal
+struct Candidate : SetGoal {
   int rank = 0;                    // the goal joins when the number of goals has doubled so often
   std::optional<Path> known = {};  // path to a goal nearby
   std::unique_ptr<PathSearch> search = {};
@@ -76,14 +65,16 @@ class SetRun {
         time_price_(time_price),
         search_to_(search_to),
         pricing_(task, options.cost, time_price),
-        bounds_(task, options.cost, time_price),
-        budget_(options.budget) {
-    alone_.goal_set.clear();
-    add_goals();
+        budget_(options.budget),
+        goals_(task, options, time_price) {
+    for (SetGoal& goal : goals_.spread_out(budget_)) {
+      const int rank = static_cast<int>(std::bit_width(candidates_.size()));
+      candidates_.push_back({std::move(goal), rank});
+    }
   }
 
   [[nodiscard]] PlannerAnswer answer() {
-    if (candidates_.empty()) return without_goals();
+    if (candidates_.empty()) return goals_.without_goals();
     while (!is_over()) {
       Candidate* const next = next_candidate();
       if (next != nullptr) go_on(*next);
@@ -93,97 +84,6 @@ class SetRun {
   }
 
  private:
-  // ---- The goals of the set ----
-
-  /// [1] [2] Adds the goals of the set, in the order of their searches.
-  void add_goals() {
-    std::vector<Candidate> goals;
-    const std::size_t regions = task_.goal_set.size();
-    const std::size_t share = std::max<std::size_t>(max_goals_of_set / regions, 2);
-    for (std::size_t region = 0; region < regions; ++region) {
-      if (!goals.empty() && budget_.is_interrupted()) {
-        saw_all_ = false;
-        break;
-      }
-      const bool is_line = number_of_intervals(task_, region) == 1;
-      const std::size_t most = std::min(is_line ? max_goals_of_line : max_goals_of_region, share);
-      spread(task_, region, most, [&](const GoalPoint& point) {
-        ++looked_at_;
-        std::optional<Candidate> goal = candidate_at(point);
-        if (goal) goals.push_back(*std::move(goal));
-        return goal.has_value();
-      });
-    }
-    std::vector<Candidate*> order;
-    order.reserve(goals.size());
-    for (Candidate& goal : goals) order.push_back(&goal);
-    std::ranges::stable_sort(order, {}, [](const Candidate* goal) { return goal->bound; });
-    const auto last = order.begin() + looks_at_open_ways(order.size());
-    const auto open =
-        std::find_if(order.begin(), last, [this](const Candidate* goal) { return is_open(*goal); });
-    if (open != last) std::rotate(order.begin(), open, open + 1);
-    for (Candidate* const goal : order) {
-      goal->rank = static_cast<int>(std::bit_width(candidates_.size()));
-      candidates_.push_back(std::move(*goal));
-    }
-  }
-
-  /// Number of goals that are tried on open ground: 0 if searches do not begin with that.
-  [[nodiscard]] std::ptrdiff_t looks_at_open_ways(std::size_t goals) const {
-    const bool begins_there = !task_.vehicle.trailer && task_.moving.empty() && task_.via.empty();
-    return begins_there ? static_cast<std::ptrdiff_t>(std::min(goals, max_open_ways)) : 0;
-  }
-
-  /// Whether the search for the goal has a path at once, on open ground.
-  [[nodiscard]] bool is_open(const Candidate& goal) const {
-    return !anytime::open_ways(before_line(goal.task), pricing_.rule()).empty();
-  }
-
-  /// The goal at a point; none if the vehicle cannot stand there, or not come there straight.
-  [[nodiscard]] std::optional<Candidate> candidate_at(const GoalPoint& point) {
-    const LocalState state = state_of(task_, point);
-    Candidate goal{.point = point,
-                   .task = problem::task_to(alone_, state, task_.goal_set[point.region].curvature,
-                                            options_.clearance)};
-    if (!goal.task.checker->is_free(state)) return std::nullopt;
-    ++free_;
-    goal.bound = bounds_.to(goal.task);
-    goal.task.last_stretch = last_stretch(task_, point);
-    if (goal.task.last_stretch == 0.0) return goal;
-    const Task before = before_line(goal.task);
-    const Segment line = line_of(goal.task);
-    const bool folds = std::abs(before.hitch_angles.goal) > task_.vehicle.max_hitch_angle;
-    const bool may_drive = !folds && search::may_drive(pricing_.rule(), {&line, 1});
-    if (!may_drive || !before.checker->is_free(goal_state(before), line)) return std::nullopt;
-    if (pricing_.counts_time()) return goal;
-    const double of_line = pricing_.rule().weight(search::gear_of(line)) * std::abs(line.length);
-    goal.bound = std::max(goal.bound, bounds_.to(before) + of_line);
-    return goal;
-  }
-
-  /// The answer if there is no goal to search for.
-  [[nodiscard]] PlannerAnswer without_goals() const {
-    const std::string poses = " poses of the goal that were looked at ";
-    if (free_ == 0) {
-      return {.status = PlanStatus::goal_in_collision,
-              .reason = "none of the " + std::to_string(looked_at_) + poses + "is free"};
-    }
-    const bool saw_each = saw_all_ && std::ranges::none_of(task_.goal_set, is_continuous);
-    return {.status = saw_each ? PlanStatus::no_path : PlanStatus::iteration_limit,
-            .reason = "before none of the " + std::to_string(looked_at_) + poses +
-                      "there is a free straight last stretch"};
-  }
-
-  /// Lower bound of the cost of paths to continuous regions.
-  [[nodiscard]] double bound_of_regions() {
-    if (!bound_of_regions_) bound_of_regions_ = bounds_.to_regions();
-    return *bound_of_regions_;
-  }
-
-  [[nodiscard]] bool is_single(const Candidate& goal) const {
-    return !is_continuous(task_.goal_set[goal.point.region]);
-  }
-
   // ---- Whose turn it is ----
 
   [[nodiscard]] bool may_win(const Candidate& goal) const {
@@ -316,7 +216,7 @@ class SetRun {
 
   /// [5] Tries goals beside the best one, ever nearer to it. False if there are none to try.
   bool refine() {
-    if (best_ == nullptr || is_single(*best_)) return false;
+    if (best_ == nullptr || goals_.is_single(*best_)) return false;
     if (!best_->is_done && best_->spent < chance / 4) return true;
     if (refinement_ && !is_tried(*refinement_)) return true;
     if (refinement_ && refinement_->middle == best_) {
@@ -335,10 +235,9 @@ class SetRun {
     refinement_->tried.clear();
     const Path known{task_.start, *best_->path};
     for (const GoalPoint& point : beside(task_, best_->point, refinement_->share)) {
-      std::optional<Candidate> goal = candidate_at(point);
+      std::optional<SetGoal> goal = goals_.at(point);
       if (!goal || goal->bound >= best_->cost) continue;
-      goal->known = known;
-      candidates_.push_back(*std::move(goal));
+      candidates_.push_back({*std::move(goal), 0, known});
       refinement_->tried.push_back(&candidates_.back());
     }
     return true;
@@ -355,10 +254,10 @@ class SetRun {
 
   /// Lower bound of the cost of paths to all goals of the set.
   [[nodiscard]] double lower_bound() {
-    if (!saw_all_) return 0.0;
-    double least = bound_of_regions();
+    if (!goals_.saw_all()) return 0.0;
+    double least = goals_.bound_of_regions();
     for (const Candidate& goal : candidates_) {
-      if (is_single(goal)) least = std::min(least, goal.bound);
+      if (goals_.is_single(goal)) least = std::min(least, goal.bound);
     }
     return least;
   }
@@ -383,7 +282,7 @@ class SetRun {
     answer.iterations = budget_.iterations();
     answer.anytime = std::move(trace_);
     for (Candidate& goal : candidates_) {
-      if (goal.search && is_single(goal) && goal.bound < best_->cost) take_proof(goal);
+      if (goal.search && goals_.is_single(goal) && goal.bound < best_->cost) take_proof(goal);
     }
     answer.lower_bound.reset();
     if (task_.moving.empty()) answer.lower_bound = std::min(lower_bound(), best_->cost);
@@ -394,7 +293,7 @@ class SetRun {
     answer.iterations = budget_.iterations();
     const bool all_closed =
         std::ranges::all_of(candidates_, [](const Candidate& goal) { return goal.is_closed; });
-    if (!all_closed || !saw_all_ || bound_of_regions() < endless) return;
+    if (!all_closed || !goals_.saw_all() || goals_.bound_of_regions() < endless) return;
     answer.status = PlanStatus::no_path;
     const std::size_t closed = candidates_.size();
     const std::string reason = candidates_.front().search->answer().reason;
@@ -407,18 +306,13 @@ class SetRun {
                                                       << 40;  // iterations: no limit
 
   const Task& task_;
-  Task alone_ = task_;  // the task without its set
   const PlanOptions& options_;
   double time_price_;
   const SearchTo& search_to_;
   Pricing pricing_;
-  SetBounds bounds_;
   search::Budget budget_;
+  SetGoals goals_;
   std::deque<Candidate> candidates_;
-  std::size_t looked_at_ = 0;  // goals looked at
-  std::size_t free_ = 0;       // goals where the vehicle can stand
-  bool saw_all_ = true;        // whether no region was left out for lack of time
-  std::optional<double> bound_of_regions_;
   Candidate* best_ = nullptr;
   std::int64_t work_beside_ = 0;  // work on goals beside the best one [iterations]
   std::optional<Refinement> refinement_;

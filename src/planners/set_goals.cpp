@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "planners/set_goals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "planners/anytime/compose.h"
+#include "planners/last_stretch.h"
+#include "problem/goal_set.h"
+
+namespace vandplan::planning {
+namespace {
+
+/// Most goals of a region that are searched for: with one interval, and with several.
+constexpr std::size_t max_goals_of_line = 16;
+constexpr std::size_t max_goals_of_region = 64;
+constexpr std::size_t max_goals_of_set = 2048;  // most goals of all regions, but two of each
+constexpr std::size_t max_open_ways = 2;  // goals tried on open ground before the first search
+
+}  // namespace
+
+SetGoals::SetGoals(const Task& task, const PlanOptions& options, double time_price)
+    : task_(task),
+      alone_(task),
+      options_(options),
+      pricing_(task, options.cost, time_price),
+      bounds_(task, options.cost, time_price) {
+  alone_.goal_set.clear();
+}
+
+std::vector<SetGoal> SetGoals::spread_out(const search::Budget& budget) {
+  // [1] Spread goals over each region.
+  std::vector<SetGoal> goals;
+  const std::size_t regions = task_.goal_set.size();
+  const std::size_t share = std::max<std::size_t>(max_goals_of_set / regions, 2);
+  for (std::size_t region = 0; region < regions; ++region) {
+    if (!goals.empty() && budget.is_interrupted()) {
+      saw_all_ = false;
+      break;
+    }
+    const bool is_line = number_of_intervals(task_, region) == 1;
+    const std::size_t most = std::min(is_line ? max_goals_of_line : max_goals_of_region, share);
+    spread(task_, region, most, [&](const GoalPoint& point) {
+      ++looked_at_;
+      std::optional<SetGoal> goal = at(point);
+      if (goal) goals.push_back(*std::move(goal));
+      return goal.has_value();
+    });
+  }
+  put_open_one_first(goals);
+  return goals;
+}
+
+/// [2] Sorts goals by their bounds, and puts the first one to which an open way leads before all.
+void SetGoals::put_open_one_first(std::vector<SetGoal>& goals) const {
+  std::ranges::stable_sort(goals, {}, [](const SetGoal& goal) { return goal.bound; });
+  // Searches with a trailer, among movers or past vias do not begin with an open way.
+  if (task_.vehicle.trailer || !task_.moving.empty() || !task_.via.empty()) return;
+  const auto last =
+      goals.begin() + static_cast<std::ptrdiff_t>(std::min(goals.size(), max_open_ways));
+  const auto open =
+      std::find_if(goals.begin(), last, [this](const SetGoal& goal) { return is_open(goal); });
+  if (open != last) std::rotate(goals.begin(), open, open + 1);
+}
+
+/// Whether the search for the goal has a path at once, on open ground.
+bool SetGoals::is_open(const SetGoal& goal) const {
+  return !anytime::open_ways(before_line(goal.task), pricing_.rule()).empty();
+}
+
+std::optional<SetGoal> SetGoals::at(const GoalPoint& point) {
+  const LocalState state = state_of(task_, point);
+  SetGoal goal{.point = point,
+               .task = problem::task_to(alone_, state, task_.goal_set[point.region].curvature,
+                                        options_.clearance)};
+  if (!goal.task.checker->is_free(state)) return std::nullopt;
+  ++free_;
+  goal.bound = bounds_.to(goal.task);
+  goal.task.last_stretch = last_stretch(task_, point);
+  if (goal.task.last_stretch == 0.0) return goal;
+  const Task before = before_line(goal.task);
+  const Segment line = line_of(goal.task);
+  const bool folds = std::abs(before.hitch_angles.goal) > task_.vehicle.max_hitch_angle;
+  const bool may_drive = !folds && search::may_drive(pricing_.rule(), {&line, 1});
+  if (!may_drive || !before.checker->is_free(goal_state(before), line)) return std::nullopt;
+  if (pricing_.counts_time()) return goal;
+  const double of_line = pricing_.rule().weight(search::gear_of(line)) * std::abs(line.length);
+  goal.bound = std::max(goal.bound, bounds_.to(before) + of_line);
+  return goal;
+}
+
+bool SetGoals::is_single(const SetGoal& goal) const {
+  return !is_continuous(task_.goal_set[goal.point.region]);
+}
+
+double SetGoals::bound_of_regions() {
+  if (!bound_of_regions_) bound_of_regions_ = bounds_.to_regions();
+  return *bound_of_regions_;
+}
+
+PlannerAnswer SetGoals::without_goals() const {
+  const std::string poses = " poses of the goal that were looked at ";
+  if (free_ == 0) {
+    return {.status = PlanStatus::goal_in_collision,
+            .reason = "none of the " + std::to_string(looked_at_) + poses + "is free"};
+  }
+  const bool saw_each = saw_all_ && std::ranges::none_of(task_.goal_set, is_continuous);
+  return {.status = saw_each ? PlanStatus::no_path : PlanStatus::iteration_limit,
+          .reason = "before none of the " + std::to_string(looked_at_) + poses +
+                    "there is a free straight last stretch"};
+}
+
+}  // namespace vandplan::planning

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Which goals of a set are searched for, and what do paths to them cost at least?
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "planners/goal_poses.h"
+#include "planners/path_search.h"
+#include "planners/pricing.h"
+#include "planners/set_bounds.h"
+#include "vandplan/plan_options.h"
+#include "vandplan/problem.h"
+#include "vandplan/search.h"
+
+namespace vandplan::planning {
+
+/// A goal of a set where the vehicle can stand, and where it can come straight if it has to.
+struct SetGoal {
+  GoalPoint point;
+  Task task;           ///< the task of driving to this goal alone
+  double bound = 0.0;  ///< lower bound of the cost of paths to the goal
+};
+
+/// The goals of a task's set. Method: docs/algorithms/goal_sets.md.
+class SetGoals {
+ public:
+  /// Task and options outlive the goals. Costs are those of `Pricing` with this `time_price`.
+  SetGoals(const Task& task, const PlanOptions& options, double time_price);
+
+  /// Goals evenly spread over the set, in the order of their searches. Once the budget is
+  /// interrupted no further region is looked at, if there is a goal.
+  [[nodiscard]] std::vector<SetGoal> spread_out(const search::Budget& budget);
+
+  /// The goal at a point; none if the vehicle cannot stand there, or not come there straight.
+  [[nodiscard]] std::optional<SetGoal> at(const GoalPoint& point);
+
+  /// Whether the goal is all of its region.
+  [[nodiscard]] bool is_single(const SetGoal& goal) const;
+  /// Whether all regions were looked at.
+  [[nodiscard]] bool saw_all() const { return saw_all_; }
+  /// Lower bound of the cost of paths to continuous regions.
+  [[nodiscard]] double bound_of_regions();
+
+  /// The answer if there is no goal to search for.
+  [[nodiscard]] PlannerAnswer without_goals() const;
+
+ private:
+  void put_open_one_first(std::vector<SetGoal>& goals) const;
+  [[nodiscard]] bool is_open(const SetGoal& goal) const;
+
+  const Task& task_;
+  Task alone_;  // the task without its set
+  const PlanOptions& options_;
+  Pricing pricing_;
+  SetBounds bounds_;
+  std::size_t looked_at_ = 0;  // goals looked at
+  std::size_t free_ = 0;       // goals where the vehicle can stand
+  bool saw_all_ = true;
+  std::optional<double> bound_of_regions_;
+};
+
+}  // namespace vandplan::planning
