@@ -7,12 +7,12 @@
 #include <cmath>
 #include <limits>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
-#include "judge/along.h"
 #include "judge/body.h"
 #include "judge/claims.h"
+#include "judge/contacts.h"
+#include "judge/fault.h"
 #include "judge/goals.h"
 #include "judge/ground.h"
 #include "judge/steering.h"
@@ -31,22 +31,6 @@ constexpr double position_tolerance = 1e-6;
 constexpr double heading_tolerance = 1e-6;
 constexpr double curvature_slack = 1e-9;  // relative tolerance of curvatures
 constexpr double bounds_slack = 1e-9;     // tolerance of the bounds [m]
-constexpr double margin_slack = 1e-6;     // tolerance of the margin [m]
-// Tolerance of ramps [m]. A vehicle parallel to a kerb moves away with the square of its driven
-// distance, but a ramp grows linearly. Without slack, not even a long ramp would let the vehicle
-// leave.
-constexpr double ramp_slack = 1e-3;
-
-struct Fault {
-  std::string reason;
-  std::optional<Place> place;
-  std::optional<Hit> hit = {};
-};
-
-Place end_of(const Track& track) {
-  return {track.stretches.size() - 1, track.stretches.back().length};
-}
-
 // ---- What can be wrong ----
 
 /// First number of a path that cannot be integrated.
@@ -174,49 +158,6 @@ std::optional<Fault> begins_outside(const Track& track, const Trailing* trailing
                Place{0, 0}, Hit{HitKind::inside}};
 }
 
-/// Whether the name of a part is plural: "the wheels", but "the footprint".
-bool is_of_many(std::string_view part) { return part.ends_with('s'); }
-
-/// All bodies of the vehicle: tractor and trailer.
-using Bodies = std::vector<Body>;
-
-/// First place along the path where a body is nearer than allowed.
-struct Touch {
-  const Body* body = nullptr;
-  Place place = {};
-};
-
-/// First touch of any body. Lowers `least` to the least clearance of all bodies [m].
-std::optional<Touch> first_touch(const Bodies& bodies, const Keeping& keeping, double& least) {
-  std::optional<Touch> first;
-  for (const Body& body : bodies) {
-    const Nearest nearest = nearest_along(body, keeping);
-    least = std::min(least, nearest.clearance);
-    if (!nearest.touch) continue;
-    const auto [stretch, t] = *nearest.touch;
-    if (first && std::tie(first->place.stretch, first->place.t) <= std::tie(stretch, t)) continue;
-    first = {&body, *nearest.touch};
-  }
-  return first;
-}
-
-/// First collision along the path. Without one, `least` becomes the clearance [m].
-std::optional<Fault> collision(const Bodies& bodies, double& least) {
-  const std::optional<Touch> touch = first_touch(bodies, {}, least);
-  if (!touch) return std::nullopt;
-  const auto [name, part, hit] = first_within(*touch->body, 0, touch->place);
-  return Fault{text("%s %s %s", part.c_str(), is_of_many(part) ? "hit" : "hits", name.c_str()),
-               touch->place, hit};
-}
-
-/// Least clearance of all bodies at a place [m], cut off at `most`.
-double clearance_at(const Bodies& bodies, const Place& place, double most) {
-  Effort effort;
-  double least = most;
-  for (const Body& body : bodies) least = clearance_of(body, place, least, effort);
-  return least;
-}
-
 /// First place where the hitch angle exceeds its limit.
 std::optional<Fault> jackknife(const Trailing& trailing, double limit) {
   const auto place = trailing.first_beyond(static_cast<Real>(limit) + heading_tolerance);
@@ -231,42 +172,6 @@ std::optional<Fault> off_hitch_angle(Real actual, double expected, const char* w
   const auto off = static_cast<double>(std::abs(std::remainder(actual - expected, full_turn)));
   if (off <= heading_tolerance) return std::nullopt;
   return Fault{text("the path %s with a hitch angle %.3g rad off", what, off), place};
-}
-
-/// Distances to be kept; with ramps they are less around ends that are nearer than the margin.
-Keeping keeping_of(const Track& track, const Bodies& bodies, const ClearanceOptions& stated) {
-  Keeping keeping{stated.margin - margin_slack, {}};
-  if (!(stated.margin_ramp > 0)) return keeping;
-  for (const Place& end : {Place{0, 0}, end_of(track)}) {
-    const double clearance = clearance_at(bodies, end, stated.margin);
-    if (clearance >= stated.margin) continue;
-    keeping.ramps.push_back(
-        {after(track.stretches[end.stretch], end.t), clearance - ramp_slack, stated.margin_ramp});
-  }
-  return keeping;
-}
-
-/// First place along the path that is nearer to an obstacle than allowed.
-std::optional<Fault> too_near(const Track& track, const Bodies& bodies,
-                              const ClearanceOptions& stated) {
-  const Keeping keeping = keeping_of(track, bodies, stated);
-  double least = std::numeric_limits<double>::infinity();
-  const std::optional<Touch> touch = first_touch(bodies, keeping, least);
-  if (!touch) return std::nullopt;
-  const auto& [body, place] = *touch;
-  Effort effort;
-  const double clearance = clearance_of(*body, place, stated.margin, effort);
-  const auto [name, part, hit] = first_within(*body, clearance, place);
-  const char* const verb = is_of_many(part) ? "are" : "is";
-  const double kept = keeping.most_within(after(track.stretches[place.stretch], place.t), 0);
-  if (kept == keeping.margin) {
-    return Fault{text("%s %s only %.3f m from %s, the margin is %g m", part.c_str(), verb,
-                      clearance, name.c_str(), stated.margin),
-                 place, hit};
-  }
-  return Fault{text("%s %s only %.3f m from %s, the ramp of the margin asks for %.3f m",
-                    part.c_str(), verb, clearance, name.c_str(), kept),
-               place, hit};
 }
 
 /// First stretch that is driven in a gear that is not allowed.
@@ -348,14 +253,11 @@ std::optional<Fault> first_fault(const Task& task, const Track& track, const Tra
                                  std::optional<double>& least) {
   if (auto f = off_pose(track.stretches[0].start, task.start, "begins", {0, 0})) return f;
   if (auto f = too_tight(track, task.vehicle.min_turning_radius)) return f;
-  if (auto f = false_steering(track, task, claims.steering, passed.stops))
-    return Fault{f->reason, f->place};
+  if (auto f = false_steering(track, task, claims.steering, passed.stops)) return f;
   if (auto f = wrong_gear(track, claims.gears)) return f;
   if (auto f = out_of_bounds(track, task.world->local().bounds)) return f;
   if (auto f = begins_outside(track, trailing, task.world->local().inside)) return f;
-  if (auto f = broken_rule(task.world->local().zones, task.vehicle, track, trailing)) {
-    return Fault{f->reason, f->place, f->hit};
-  }
+  if (auto f = broken_rule(task.world->local().zones, task.vehicle, track, trailing)) return f;
   const std::shared_ptr<const Ground> ground = ground_of(*task.world);
   Bodies bodies{{track, *ground, outlines_of(task.vehicle)}};
   if (trailing != nullptr) {
@@ -363,7 +265,7 @@ std::optional<Fault> first_fault(const Task& task, const Track& track, const Tra
     bodies.push_back({track, *ground, outlines_of(*task.vehicle.trailer), trailing});
   }
   least = std::numeric_limits<double>::infinity();
-  if (auto f = collision(bodies, *least)) return f;
+  if (auto f = first_collision(bodies, *least)) return f;
   if (*least < claims.clearance.margin) {
     if (auto f = too_near(track, bodies, claims.clearance)) return f;
   }

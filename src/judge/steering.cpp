@@ -23,7 +23,7 @@ Real fastest_change(const Vehicle& vehicle) {
   return static_cast<Real>(limits.max_steering_rate) / (vehicle.wheelbase * speed);
 }
 
-SteeringFault jump(const char* where, Real before, Real after, const Place& place) {
+Fault jump(const char* where, Real before, Real after, const Place& place) {
   return {text("the curvature jumps from %.7g to %.7g 1/m %s", static_cast<double>(before),
                static_cast<double>(after), where),
           place};
@@ -38,8 +38,8 @@ bool jumps(const Track& track, const Vehicle& vehicle, std::size_t i) {
   return std::abs(jump) > rounding / vehicle.min_turning_radius;
 }
 
-std::optional<SteeringFault> false_steering(const Track& track, const Task& task, Steering claimed,
-                                            std::span<const Place> stops) {
+std::optional<Fault> false_steering(const Track& track, const Task& task, Steering claimed,
+                                    std::span<const Place> stops) {
   if (claimed == Steering::reeds_shepp) return std::nullopt;
   const bool is_throughout = claimed == Steering::continuous;
   const Real allowed_jump = rounding / task.vehicle.min_turning_radius;
@@ -62,9 +62,9 @@ std::optional<SteeringFault> false_steering(const Track& track, const Task& task
                   before, stretch.curvature, place);
     }
     if (std::abs(stretch.rate) > fastest * (1 + rate_slack)) {
-      return SteeringFault{text("the curvature changes by %.7g 1/m per metre, the vehicle can %.7g",
-                                static_cast<double>(stretch.rate), static_cast<double>(fastest)),
-                           place};
+      return Fault{text("the curvature changes by %.7g 1/m per metre, the vehicle can %.7g",
+                        static_cast<double>(stretch.rate), static_cast<double>(fastest)),
+                   place};
     }
     before = curvature_at(stretch, stretch.length);
   }

@@ -5,25 +5,18 @@
 
 #include <optional>
 #include <span>
-#include <string>
 
+#include "judge/fault.h"
 #include "judge/track.h"
 #include "vandplan/problem.h"
 
 namespace vandplan::judge {
 
-/// Fault of the curvature in one line, and its place.
-struct SteeringFault {
-  std::string reason;
-  Place place;
-};
-
 /// First fault of a path's curvature under the claimed steering; none if there is none. It is a
 /// forbidden jump, a change faster than the vehicle can, or a wrong curvature at an end. `stops`:
 /// places where the vehicle stands though it does not change gear.
-[[nodiscard]] std::optional<SteeringFault> false_steering(const Track& track, const Task& task,
-                                                          Steering claimed,
-                                                          std::span<const Place> stops);
+[[nodiscard]] std::optional<Fault> false_steering(const Track& track, const Task& task,
+                                                  Steering claimed, std::span<const Place> stops);
 
 /// Whether the curvature jumps at the begin of stretch `i`, which is not the first one.
 [[nodiscard]] bool jumps(const Track& track, const Vehicle& vehicle, std::size_t i);

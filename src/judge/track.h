@@ -87,6 +87,11 @@ struct Track {
   Real curvature_change = 0;  ///< total variation of the curvature along the track [1/m]
 };
 
+/// The place where a track ends.
+[[nodiscard]] inline Place end_of(const Track& track) {
+  return {track.stretches.size() - 1, track.stretches.back().length};
+}
+
 /// Integrates a path. Its numbers must be finite, and its clothoids must not exceed
 /// `most_stretches` and `most_stretches_of_all`.
 [[nodiscard]] Track integrate(const Path& path);

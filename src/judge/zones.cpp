@@ -89,7 +89,7 @@ class ZoneCheck {
             const Trailing* trailing)
       : zone_(zone), index_(index), track_(track), bodies_(zone, vehicle, track, trailing) {}
 
-  [[nodiscard]] std::optional<BrokenRule> broken() {
+  [[nodiscard]] std::optional<Fault> broken() {
     for (std::size_t i = 0; i < track_.stretches.size(); ++i) {
       const Stretch& stretch = track_.stretches[i];
       if (zone_.closed) {
@@ -120,9 +120,9 @@ class ZoneCheck {
   }
 
   /// The rule if a body is in the area on one of the parts. `rule` is half a sentence.
-  [[nodiscard]] std::optional<BrokenRule> broken_on(std::size_t stretch,
-                                                    const std::vector<PartOfStretch>& parts,
-                                                    const std::string& rule) {
+  [[nodiscard]] std::optional<Fault> broken_on(std::size_t stretch,
+                                               const std::vector<PartOfStretch>& parts,
+                                               const std::string& rule) {
     for (const PartOfStretch& part : parts) {
       for (const Body& body : bodies_.all()) {
         const auto place = first_in_area(body, stretch, part);
@@ -131,7 +131,7 @@ class ZoneCheck {
         const char* const what = body.trailing != nullptr ? "the trailer"
                                  : zone_.body             ? "the footprint"
                                                           : "the rear axle";
-        return BrokenRule{
+        return Fault{
             std::string(what) + " is in zones[" + std::to_string(index_) + "]" + name + ", " + rule,
             *place, Hit{HitKind::zone, index_}};
       }
@@ -182,8 +182,8 @@ ZoneBodies::ZoneBodies(const Zone& zone, const Vehicle& vehicle, const Track& tr
   bodies_.push_back({track, ground_, outlines_of(*vehicle.trailer), trailing});
 }
 
-std::optional<BrokenRule> broken_rule(const std::vector<Zone>& zones, const Vehicle& vehicle,
-                                      const Track& track, const Trailing* trailing) {
+std::optional<Fault> broken_rule(const std::vector<Zone>& zones, const Vehicle& vehicle,
+                                 const Track& track, const Trailing* trailing) {
   for (std::size_t i = 0; i < zones.size(); ++i) {
     ZoneCheck check(zones[i], i, vehicle, track, trailing);
     if (auto rule = check.broken()) return rule;

@@ -7,10 +7,10 @@
 
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "judge/body.h"
+#include "judge/fault.h"
 #include "judge/ground.h"
 #include "judge/track.h"
 #include "judge/trailing.h"
@@ -38,18 +38,11 @@ class ZoneBodies {
   std::vector<Body> bodies_;
 };
 
-/// Rule of a zone that is broken, and the first place where it is.
-struct BrokenRule {
-  std::string reason;
-  Place place;
-  Hit hit;
-};
-
 /// First rule that a path breaks, in the order of the zones. `trailing` is null without a trailer.
 /// The judge looks wherever what the rule is about has moved by a tenth of a millimetre, unless it
 /// is proven to be outside of the area. A direction of travel may be off by 1e-6 rad.
-[[nodiscard]] std::optional<BrokenRule> broken_rule(const std::vector<Zone>& zones,
-                                                    const Vehicle& vehicle, const Track& track,
-                                                    const Trailing* trailing);
+[[nodiscard]] std::optional<Fault> broken_rule(const std::vector<Zone>& zones,
+                                               const Vehicle& vehicle, const Track& track,
+                                               const Trailing* trailing);
 
 }  // namespace vandplan::judge
