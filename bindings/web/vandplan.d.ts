@@ -153,7 +153,7 @@ export interface OccupancyMap {
   unknown?: 'free';
 }
 
-/** Ground with rules of its own, which hold while the midpoint of the rear axle is in its area. */
+/** An area with rules for driving in it. The rules hold while the midpoint of the rear axle is in the area. */
 export interface Zone {
   name?: string;
   /** Simple polygon; its edge belongs to it. */

@@ -26,19 +26,19 @@ namespace collision {
 struct Ground;
 }
 
-/// Ground with rules of its own. They hold while the midpoint of the rear axle is in the area,
-/// whose edge is included.
+/// An area with rules for driving in it. The rules hold while the midpoint of the rear axle is in
+/// the area or on its edge, unless `body` is set.
 struct Zone {
   std::string name = {};                    ///< name for people; need not be unique
   Polygon area = {};                        ///< simple polygon [m]
-  bool closed = false;                      ///< whether the vehicle may not be there at all
+  bool closed = false;                      ///< whether the area is forbidden
   AllowedGears gears = AllowedGears::both;  ///< gears that may be driven there
   /// Directions of travel that are allowed: headings of the vehicle, turned by half a turn in
   /// reverse. None: any direction.
   std::optional<HeadingRange> direction = {};
   double cost = 1.0;                     ///< how many times as much a metre costs there; 1 to 1000
   std::optional<double> max_speed = {};  ///< largest speed there, in either gear [m/s]; > 0
-  /// Whether the rules hold while any part of the vehicle or its trailer is in the area.
+  /// Whether the rules hold as soon as any part of the vehicle or its trailer is in the area.
   bool body = false;
   bool operator==(const Zone&) const = default;
 };
@@ -53,9 +53,10 @@ enum class MaskUse : std::uint8_t {
 /// Name of a use in files: "obstacles", "max_speed" or "cost".
 [[nodiscard]] std::string_view name_of(MaskUse use) noexcept;
 
-/// A further map, as Nav2 has for its costmap filters. Unknown cells and the ground outside say
-/// nothing. Speeds and costs hold while the midpoint of the rear axle is in the cell. A cell that
-/// is occupied by p percent has the value `base` + `multiplier` * p.
+/// An occupancy map that adds obstacles, speed limits or prices, like the masks of Nav2's costmap
+/// filters. Unknown cells add nothing, nor does the ground outside the map. A speed limit or price
+/// holds while the midpoint of the rear axle is in the cell. A cell that is occupied by p percent
+/// has the value `base` + `multiplier` * p.
 struct Mask {
   /// Percentage that stands for an unknown cell.
   static constexpr std::uint8_t unknown = 255;
@@ -83,11 +84,11 @@ struct Surroundings {
   /// Outlines for the wheels alone [m]; overhangs may swing over them.
   std::vector<Polygon> kerbs = {};
   std::optional<OccupancyGrid> map = {};  ///< occupancy map; none: there is no map
-  /// Areas of which the whole body stays in one [m]; they have nothing in common. Empty: it may be
-  /// anywhere.
+  /// Areas that do not touch each other [m]. The whole body stays in one of them. Empty: no such
+  /// limit.
   std::vector<Polygon> inside = {};
-  std::vector<Zone> zones = {};  ///< ground with rules of its own
-  std::vector<Mask> masks = {};  ///< further maps; a world has obstacles in their place
+  std::vector<Zone> zones = {};  ///< areas with rules
+  std::vector<Mask> masks = {};  ///< maps that add rules; a world has obstacles in their place
 };
 
 /// Part of a segment on which the same zones hold.

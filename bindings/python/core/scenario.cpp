@@ -252,7 +252,7 @@ A planning problem, checked and immutable. Units are metres and radians.
 - `obstacles`, `kerbs`: simple polygons, arrays of shape (N, 2) or polygons of shapely and
   geopandas without holes. Only the wheels keep off kerbs.
 - `inside`: simple polygons, in one of which the whole body must stay.
-- `zones`: `Zone` objects: ground with rules of its own.
+- `zones`: `Zone` objects: areas with rules.
 - `masks`: `Mask` objects, or `OccupancyGrid` objects whose occupied cells are obstacles.
 - `map`: an `OccupancyGrid`, or a 2-D array with its `resolution` and `origin`.
 - `moving`: `MovingObstacle` objects.

@@ -154,7 +154,7 @@ void bind_zone(py::module_& module) {
   py::class_<Zone>(module, "Zone", R"(Zone(area, *, name="", closed=False, gears="both",
     direction=None, cost=1, max_speed=None, body=False)
 
-Ground with rules of its own. They hold while the midpoint of the rear axle is in the area.
+An area with rules for driving in it. The rules hold while the midpoint of the rear axle is in the area.
 
 - `area`: simple polygon [m], shape (N, 2); its edge belongs to it.
 - `name`: name for messages.
