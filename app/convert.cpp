@@ -134,6 +134,28 @@ std::optional<Pose> pose_of(const std::string& flag, const std::string& text) {
   return Pose{numbers[0], numbers[1], numbers[2]};
 }
 
+/// Vehicle of the catalogue with that name, or of that file.
+Vehicle vehicle_of(const std::string& vehicle) {
+  return has_ending(vehicle, scenario_file) ? read_vehicle(vehicle) : vehicle_named(vehicle);
+}
+
+/// Writes a scenario, and prints its warnings, its origin and notes.
+void write_with_notes(const ScenarioFile& file, const std::vector<std::string>& notes,
+                      const ConvertArguments& arguments) {
+  nlohmann::ordered_json more = {{"notes", notes}};
+  if (file.origin) {
+    more["origin"] = {{"longitude", file.origin->longitude}, {"latitude", file.origin->latitude}};
+  }
+  warn(file.warnings);
+  write(file, arguments, more);
+  if (arguments.json) return;
+  if (file.origin) {
+    fmt::print("  origin at longitude {}, latitude {}\n", file.origin->longitude,
+               file.origin->latitude);
+  }
+  for (const std::string& note : notes) fmt::print("  {}\n", printable(note));
+}
+
 struct GeoJsonArguments {
   ConvertArguments general;
   GeoJsonSite site;
@@ -143,24 +165,12 @@ struct GeoJsonArguments {
 
 void convert_geojson(GeoJsonArguments& arguments) {
   GeoJsonSite& site = arguments.site;
-  const std::string& vehicle = arguments.general.vehicle;
-  site.vehicle =
-      has_ending(vehicle, scenario_file) ? read_vehicle(vehicle) : vehicle_named(vehicle);
+  site.vehicle = vehicle_of(arguments.general.vehicle);
   site.start = pose_of("--start", arguments.start);
   site.goal = pose_of("--goal", arguments.goal);
   const GeoJsonScenario read = read_geojson(site);
-  nlohmann::ordered_json more = {{"notes", read.notes}};
-  if (read.origin) {
-    more["origin"] = {{"longitude", read.origin->longitude}, {"latitude", read.origin->latitude}};
-  }
-  warn(read.warnings);
-  write({.scenario = read.scenario, .origin = read.origin}, arguments.general, more);
-  if (arguments.general.json) return;
-  if (read.origin) {
-    fmt::print("  origin at longitude {}, latitude {}\n", read.origin->longitude,
-               read.origin->latitude);
-  }
-  for (const std::string& note : read.notes) fmt::print("  {}\n", printable(note));
+  write_with_notes({.scenario = read.scenario, .warnings = read.warnings, .origin = read.origin},
+                   read.notes, arguments.general);
 }
 
 void add_geojson(CLI::App& convert) {
@@ -190,6 +200,49 @@ void add_geojson(CLI::App& convert) {
   geojson->callback([arguments] { convert_geojson(*arguments); });
 }
 
+/// Adds the options that all maps of roads have.
+void add_rules(CLI::App& format, RoadRules& rules) {
+  format.add_flag("--both-ways", rules.both_ways, "Lanes may be driven in both directions");
+  format.add_flag("--open-edges", rules.open_edges, "The body may leave lanes and areas");
+}
+
+struct RoadArguments {
+  ConvertArguments general;
+  RoadMap map;
+  std::string start;
+  std::string goal;
+};
+
+using ReadRoads = RoadScenario (*)(const RoadMap&);
+
+/// Adds a format of maps of roads.
+void add_roads(CLI::App& convert, const char* name, const char* description, ReadRoads read) {
+  CLI::App* const roads = convert.add_subcommand(name, description);
+  const auto arguments = std::make_shared<RoadArguments>();
+  roads->add_option("MAP", arguments->map.file, "Map (XML); - is standard input")->required();
+  roads->add_option("--start", arguments->start, "Start in coordinates of the map, HEADING [rad]")
+      ->type_name("X,Y,HEADING")
+      ->required();
+  roads->add_option("--goal", arguments->goal, "Goal, likewise")
+      ->type_name("X,Y,HEADING")
+      ->required();
+  roads
+      ->add_option("--vehicle", arguments->general.vehicle,
+                   "Vehicle of the catalogue, or file (.yaml)")
+      ->type_name("NAME")
+      ->capture_default_str();
+  add_rules(*roads, arguments->map.rules);
+  add_output(*roads, std::shared_ptr<ConvertArguments>(arguments, &arguments->general));
+  roads->callback([arguments, read] {
+    RoadMap& map = arguments->map;
+    map.start = pose_of("--start", arguments->start).value_or(Pose{});
+    map.goal = pose_of("--goal", arguments->goal).value_or(Pose{});
+    map.vehicle = vehicle_of(arguments->general.vehicle);
+    const RoadScenario made = read(map);
+    write_with_notes(made.file, made.notes, arguments->general);
+  });
+}
+
 }  // namespace
 
 void add_convert(CLI::App& vandplan, int&) {
@@ -199,10 +252,12 @@ void add_convert(CLI::App& vandplan, int&) {
   convert->callback([convert] {
     if (!convert->get_subcommands().empty()) return;
     throw InputError("convert",
-                     "a format is missing, expected geojson, tpcap, movingai, dynobench or "
-                     "footprint");
+                     "a format is missing, expected geojson, lanelet2, opendrive, tpcap, movingai, "
+                     "dynobench or footprint");
   });
   add_geojson(*convert);
+  add_roads(*convert, "lanelet2", "Convert a map of Lanelet2 (.osm).", read_lanelet2);
+  add_roads(*convert, "opendrive", "Convert a map of OpenDRIVE (.xodr).", read_opendrive);
   add_tpcap(*convert);
   add_movingai(*convert);
   add_dynobench(*convert);

@@ -52,7 +52,7 @@ recommended, or suggested for OMPL.")
 if(VANDPLAN_SIMD)
   set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS libhwy-dev)
 endif()
-set(needed_by_components libcairo2-dev libfmt-dev libgeographiclib-dev libpng-dev libsqlite3-dev libyaml-cpp-dev
+set(needed_by_components libcairo2-dev libfmt-dev libgeographiclib-dev libpng-dev libpugixml-dev libsqlite3-dev libyaml-cpp-dev
                          pkg-config zlib1g-dev)
 list(JOIN needed_by_components ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "cmake, libompl-dev")

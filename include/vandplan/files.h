@@ -275,6 +275,42 @@ struct GeoJsonScenario {
 /// if `default_width` is out of range.
 [[nodiscard]] GeoJsonScenario read_geojson(const GeoJsonSite& site);
 
+// ---- How do maps of roads become scenarios? ----
+//
+// What becomes what: docs/formats.md. Every error is an InputError "file:line: what is wrong, what
+// was expected".
+
+/// How the lanes of a map bind a vehicle.
+struct RoadRules {
+  bool both_ways = false;   ///< whether one-way lanes may be driven in both directions
+  bool open_edges = false;  ///< whether the body may leave the lanes and areas
+};
+
+/// A map of roads, and what its file does not say.
+struct RoadMap {
+  std::string file = {};  ///< file name; "-" is standard input
+  Vehicle vehicle = {};   ///< vehicle that drives there
+  /// Start and goal: x and y in the coordinates of the file, longitude and latitude if it has no
+  /// metres; heading [rad].
+  Pose start = {};
+  Pose goal = {};
+  RoadRules rules = {};
+};
+
+/// The scenario of a map of roads.
+struct RoadScenario {
+  ScenarioFile file = {};               ///< the scenario, and the place of its origin if known
+  std::vector<std::string> notes = {};  ///< numbers of lanes; what was left out
+};
+
+/// Reads and checks a map of Lanelet2 (OSM XML). Longitudes and latitudes become metres in a plane
+/// that touches the Earth at the start. Throws InputError "file:line: what is wrong", or naming
+/// "--start" or "--goal".
+[[nodiscard]] RoadScenario read_lanelet2(const RoadMap& map);
+
+/// Reads and checks a map of OpenDRIVE (.xodr). Throws InputError as `read_lanelet2` does.
+[[nodiscard]] RoadScenario read_opendrive(const RoadMap& map);
+
 // ---- How do the primitives of other programs become ours? ----
 //
 // Their files hold sampled poses. Exact segments that pass by those poses are read from them:

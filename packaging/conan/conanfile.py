@@ -60,6 +60,7 @@ class Vandplan(ConanFile):
             self.requires("fmt/[>=9.1 <13]")
             self.requires("libpng/[>=1.6 <2]")
             self.requires("nlohmann_json/[>=3.11 <4]")
+            self.requires("pugixml/[>=1.13 <2]")
             self.requires("yaml-cpp/[>=0.7 <1]")
             self.requires("zlib/[>=1.2.11 <2]")
             if self.options.geography:
@@ -115,7 +116,7 @@ class Vandplan(ConanFile):
         if self.options.threads and self.settings.os == "Linux":
             core.system_libs.append("pthread")
         needs = {
-            "io": ["fmt::fmt", "libpng::libpng", "nlohmann_json::nlohmann_json", "yaml-cpp::yaml-cpp", "zlib::zlib"],
+            "io": ["fmt::fmt", "libpng::libpng", "nlohmann_json::nlohmann_json", "pugixml::pugixml", "yaml-cpp::yaml-cpp", "zlib::zlib"],
             "draw": ["cairo::cairo"],
             "evaluation": ["io", "draw", "sqlite3::sqlite3"],
             "ompl": ["ompl::ompl"],

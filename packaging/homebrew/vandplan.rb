@@ -17,6 +17,7 @@ class Vandplan < Formula
   depends_on "geographiclib"
   depends_on "highway"
   depends_on "libpng"
+  depends_on "pugixml"
   depends_on "sqlite"
   depends_on "yaml-cpp"
   depends_on "zlib"

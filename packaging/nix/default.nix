@@ -1,7 +1,7 @@
 # Untested: nixpkgs was not at hand. Nix evaluates the expression with stand-ins (tests/repository/recipes_test).
 # nix-build -E 'with import <nixpkgs> { }; callPackage ./default.nix { }'
 { lib, stdenv, fetchurl, cmake, ninja, pkg-config, cairo, cli11, eigen, fmt, geographiclib, libhwy, libpng
-, nlohmann_json, ompl, sqlite, yaml-cpp, zlib, withOmpl ? false }:
+, nlohmann_json, ompl, pugixml, sqlite, yaml-cpp, zlib, withOmpl ? false }:
 
 let
   d3 = fetchurl {
@@ -20,7 +20,7 @@ stdenv.mkDerivation {
   nativeBuildInputs = [ cmake ninja pkg-config ];
   buildInputs = [ cli11 nlohmann_json ];
   # Archives: who links them needs these, too.
-  propagatedBuildInputs = [ cairo fmt geographiclib libhwy libpng sqlite yaml-cpp zlib ]
+  propagatedBuildInputs = [ cairo fmt geographiclib libhwy libpng pugixml sqlite yaml-cpp zlib ]
     ++ lib.optionals withOmpl [ eigen ompl ];
 
   cmakeFlags = [

@@ -58,6 +58,8 @@ TEST(CommandLine, APageHoldsTheHelpOfEveryCommand) {
                                                           {"study", "steering"},
                                                           {"study", "searches"},
                                                           {"convert", "geojson"},
+                                                          {"convert", "lanelet2"},
+                                                          {"convert", "opendrive"},
                                                           {"convert", "tpcap"},
                                                           {"convert", "movingai"},
                                                           {"convert", "dynobench"},
@@ -256,10 +258,33 @@ TEST(ConvertCommand, UnknownFormatIsNamed) {
   const Outcome outcome = run_vandplan({"convert", "dxf", "a.dxf"});
   EXPECT_EQ(outcome.status, 2);
   EXPECT_NE(outcome.err.find("dxf"), std::string::npos) << outcome.err;
-  EXPECT_EQ(
-      run_vandplan({"convert"}).err,
-      "vandplan: convert: a format is missing, expected geojson, tpcap, movingai, dynobench or "
-      "footprint\n");
+  EXPECT_EQ(run_vandplan({"convert"}).err,
+            "vandplan: convert: a format is missing, expected geojson, lanelet2, opendrive, tpcap, "
+            "movingai, "
+            "dynobench or footprint\n");
+}
+
+TEST(ConvertCommand, MapsOfRoadsBecomeScenariosThatPlan) {
+  const TemporaryFolder folder;
+  const std::string scenario = folder / "road.yaml";
+  const auto converted = [&](const std::string& format, const std::string& file,
+                             const std::string& goal) {
+    const Outcome outcome =
+        run_vandplan({"convert", format, (repository() / "examples" / file).string(), "--start",
+                      "5,-1.75,0", "--goal", goal, "-o", scenario});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(run_vandplan({"plan", scenario, "--max-iterations", "2000"}).status, 0);
+    return outcome.out;
+  };
+  EXPECT_NE(converted("lanelet2", "lanelets.osm", "30,-9,0").find("  lanes: 2, areas: 1"),
+            std::string::npos);
+  EXPECT_NE(
+      converted("opendrive", "road.xodr", "51.75,50,1.5708").find("  left out: lane sidewalk"),
+      std::string::npos);
+  EXPECT_NE(content_of(scenario).find("zones:\n"), std::string::npos);
+  const Outcome bad = run_vandplan(
+      {"convert", "lanelet2", "a.osm", "--start", "1,2", "--goal", "1,2,3", "-o", scenario});
+  EXPECT_EQ(bad.err, "vandplan: --start: is 1,2, expected X,Y,HEADING\n");
 }
 
 TEST(ConvertCommand, TpcapCaseBecomesAScenarioThatPlans) {

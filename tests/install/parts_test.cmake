@@ -2,7 +2,7 @@
 # cmake -DSOURCE=folder -DWORK=folder -DGENERATOR=name -DCXX=compiler -P parts_test.cmake
 file(REMOVE_RECURSE ${WORK})
 set(libraries_of_core hwy Threads)
-set(libraries_of_files_and_pictures fmt nlohmann_json PNG yaml-cpp ZLIB PkgConfig)
+set(libraries_of_files_and_pictures fmt nlohmann_json PNG pugixml yaml-cpp ZLIB PkgConfig)
 set(libraries_of_program CLI11 SQLite3)
 
 # configure(name libraries...): with these libraries out of sight, and the options in `parts`.

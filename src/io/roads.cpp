@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "io/roads.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "geometry/polygon.h"
+#include "io/ground.h"
+#include "vandplan/input_error.h"
+
+namespace vandplan::io {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double least_step = 0.001;  // Least distance that has a direction [m].
+constexpr double bend = pi / 6;       // Largest range of directions within one zone [rad].
+constexpr double askew = pi / 4;      // Largest angle between overlapping lanes with zones [rad].
+constexpr double quarter_turn = 1.5708;  // Quarter turn, rounded up [rad].
+constexpr double room = 20.0;            // Distance between the ground and the bounds [m].
+constexpr double furthest = 1e6;         // Largest distance from the start along each axis [m].
+
+/// Part of a lane with about one direction.
+struct Piece {
+  std::size_t lane = 0;  // Index of the lane.
+  Ring ring;
+  double heading = 0.0;  // Direction of travel [rad].
+};
+
+/// Corners of both edges of a lane that face each other.
+struct Cut {
+  std::size_t left = 0;   // Index of a corner of the left edge.
+  std::size_t right = 0;  // Index of a corner of the right edge.
+};
+
+/// The edges of a lane, walked along side by side.
+class Edges {
+ public:
+  explicit Edges(const Lane& lane) : lane_(lane) {}
+
+  [[nodiscard]] bool is_end(const Cut& cut) const {
+    return cut.left + 1 == lane_.left.size() && cut.right + 1 == lane_.right.size();
+  }
+  /// The next cut: a step on one edge, on that where the cut is shorter.
+  [[nodiscard]] Cut after(const Cut& cut) const {
+    const Cut left = {cut.left + 1, cut.right};
+    const Cut right = {cut.left, cut.right + 1};
+    if (right.right == lane_.right.size()) return left;
+    if (left.left == lane_.left.size()) return right;
+    return length(left) <= length(right) ? left : right;
+  }
+  [[nodiscard]] Point middle(const Cut& cut) const {
+    return between(lane_.left[cut.left], lane_.right[cut.right], 0.5);
+  }
+  /// Outline of the lane between two cuts.
+  [[nodiscard]] Polygon outline_between(const Cut& begin, const Cut& end) const {
+    Polygon corners;
+    for (std::size_t i = begin.left; i <= end.left; ++i) corners.push_back(lane_.left[i]);
+    for (std::size_t i = end.right + 1; i > begin.right; --i) {
+      corners.push_back(lane_.right[i - 1]);
+    }
+    return corners;
+  }
+
+ private:
+  [[nodiscard]] double length(const Cut& cut) const {
+    return distance(lane_.left[cut.left], lane_.right[cut.right]);
+  }
+
+  const Lane& lane_;
+};
+
+/// Divides a lane into pieces where it has turned by `bend`.
+void add_pieces(const Lane& lane, std::size_t index, std::vector<Piece>& pieces) {
+  const Edges edges(lane);
+  Cut begin;
+  Cut at;
+  const auto close = [&] {
+    const Point from = edges.middle(begin);
+    const Point to = edges.middle(at);
+    if (auto ring = ring_of(edges.outline_between(begin, at))) {
+      pieces.push_back({index, std::move(*ring), std::atan2(to.y - from.y, to.x - from.x)});
+    }
+    begin = at;
+  };
+  std::optional<double> first;  // Direction of the first step of the piece.
+  Interval turned;              // Directions of its steps, less the first.
+  while (!edges.is_end(at)) {
+    const Cut next = edges.after(at);
+    const Point from = edges.middle(at);
+    const Point to = edges.middle(next);
+    if (distance(from, to) >= least_step) {
+      const double direction = std::atan2(to.y - from.y, to.x - from.x);
+      const double turn = first ? wrap_angle(direction - *first) : 0.0;
+      turned = {std::min(turned.least, turn), std::max(turned.most, turn)};
+      if (!first || turned.most - turned.least > bend) {
+        if (first) close();
+        first = direction;
+        turned = {};
+      }
+    }
+    at = next;
+  }
+  close();
+}
+
+/// Whether two pieces overlap so that no direction of travel would be right in both.
+bool exclude_each_other(const Piece& one, const Piece& other, const Roads& roads) {
+  const bool are_alike = roads.lanes[one.lane].is_one_way && roads.lanes[other.lane].is_one_way &&
+                         std::abs(wrap_angle(one.heading - other.heading)) <= askew;
+  return one.lane != other.lane && !are_alike && overlap(one.ring, other.ring);
+}
+
+/// What keeps a polygon from being simple; empty if it is simple.
+std::string flaw_of(const Polygon& polygon) {
+  return geometry::flaw_of(geometry::cleaned(polygon), {});
+}
+
+/// Adds zones of one-way lanes, except where lanes cross. Returns the number of pieces without one.
+int add_zones(const Roads& roads, Scenario& scenario) {
+  std::vector<Piece> pieces;
+  for (std::size_t i = 0; i < roads.lanes.size(); ++i) add_pieces(roads.lanes[i], i, pieces);
+  std::vector<Ring> rings;
+  for (const Piece& piece : pieces) rings.push_back(piece.ring);
+  const Ground ground(std::move(rings));
+  int without_zone = 0;
+  for (const Piece& piece : pieces) {
+    const Lane& lane = roads.lanes[piece.lane];
+    if (!lane.is_one_way) continue;
+    const std::vector<std::size_t> near = ground.near(piece.ring.box);
+    const bool is_crossed = std::ranges::any_of(
+        near, [&](std::size_t other) { return exclude_each_other(piece, pieces[other], roads); });
+    if (is_crossed || !flaw_of(piece.ring.corners).empty()) {
+      ++without_zone;
+      continue;
+    }
+    const double heading = std::round(piece.heading * 1e4) / 1e4;
+    scenario.zones.push_back(
+        {.name = lane.name,
+         .area = piece.ring.corners,
+         .direction = HeadingRange{heading - quarter_turn, heading + quarter_turn}});
+  }
+  return without_zone;
+}
+
+void expect_simple(const MapObstacle& obstacle) {
+  if (const std::string flaw = flaw_of(obstacle.outline); !flaw.empty()) {
+    throw InputError(obstacle.place, flaw);
+  }
+}
+
+/// Throws unless all places are near enough to the start that numbers stay exact.
+void expect_near(const Polygon& corners, const Pose& start) {
+  for (const Point& corner : corners) {
+    if (std::abs(corner.x - start.x) <= furthest && std::abs(corner.y - start.y) <= furthest) {
+      continue;
+    }
+    throw InputError(
+        "lanes", fmt::format("reach to {}, {}, expected at most 1000 km from the start", corner.x,
+                             corner.y));
+  }
+}
+
+void expect_on_ground(const std::vector<Ring>& ground, const Pose& pose, const char* name) {
+  const Point place = {pose.x, pose.y};
+  const bool is_on_ground =
+      std::ranges::any_of(ground, [&](const Ring& ring) { return contains(ring.corners, place); });
+  if (is_on_ground) return;
+  throw InputError(name, fmt::format("is at {}, {}, beside all lanes and areas, expected a place "
+                                     "on one of them",
+                                     pose.x, pose.y));
+}
+
+/// Box around everything of a scenario, plus `room`; rounded to millimetres.
+Bounds bounds_around(const Scenario& scenario, const std::vector<Ring>& ground) {
+  std::vector<Point> points = {{scenario.start.x, scenario.start.y}};
+  if (scenario.goal_set.empty()) points.push_back({scenario.goal.x, scenario.goal.y});
+  for (const GoalRegion& region : scenario.goal_set) {
+    points.insert(points.end(), region.area.begin(), region.area.end());
+    if (region.area.empty()) points.push_back({region.x.most, region.y.most});
+  }
+  for (const Ring& ring : ground) {
+    points.insert(points.end(), ring.corners.begin(), ring.corners.end());
+  }
+  for (const Polygon& polygon : scenario.obstacles) {
+    points.insert(points.end(), polygon.begin(), polygon.end());
+  }
+  const Bounds box = bounding_box(points);
+  const auto millimetres = [](double metres) { return std::round(metres * 1000) / 1000; };
+  return {millimetres(box.x_min - room), millimetres(box.x_max + room),
+          millimetres(box.y_min - room), millimetres(box.y_max + room)};
+}
+
+void tell(const Roads& roads, const Scenario& scenario, int without_zone,
+          std::vector<std::string>& notes) {
+  notes.push_back(fmt::format("lanes: {}, areas: {}, one-way zones: {}", roads.lanes.size(),
+                              roads.areas.size(), scenario.zones.size()));
+  if (without_zone > 0) {
+    notes.push_back(
+        fmt::format("parts of lanes without a zone, where lanes cross: {}", without_zone));
+  }
+  std::string text;
+  for (const auto& [what, count] : roads.left_out) {
+    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", what, count);
+  }
+  if (!text.empty()) notes.push_back("left out: " + text);
+}
+
+}  // namespace
+
+Polygon outline(const Lane& lane) {
+  Polygon corners = lane.left;
+  corners.insert(corners.end(), lane.right.rbegin(), lane.right.rend());
+  return corners;
+}
+
+void add_roads(const Roads& roads, const RoadRules& rules, RoadScenario& result) {
+  Scenario& scenario = result.file.scenario;
+  std::vector<Ring> rings;
+  const auto add = [&](const Polygon& polygon) {
+    expect_near(polygon, scenario.start);
+    if (auto ring = ring_of(polygon)) rings.push_back(std::move(*ring));
+  };
+  for (const Lane& lane : roads.lanes) add(outline(lane));
+  for (const Polygon& area : roads.areas) add(area);
+  for (const MapObstacle& obstacle : roads.obstacles) {
+    expect_near(obstacle.outline, scenario.start);
+    expect_simple(obstacle);
+    scenario.obstacles.push_back(obstacle.outline);
+  }
+  scenario.bounds = bounds_around(scenario, rings);
+  if (!rules.open_edges && !rings.empty()) {
+    expect_on_ground(rings, scenario.start, "start");
+    if (scenario.goal_set.empty()) expect_on_ground(rings, scenario.goal, "goal");
+    const std::vector<Polygon> walls = walls_around(Ground(std::move(rings)));
+    scenario.obstacles.insert(scenario.obstacles.end(), walls.begin(), walls.end());
+  }
+  const int without_zone = rules.both_ways ? 0 : add_zones(roads, scenario);
+  tell(roads, scenario, without_zone, result.notes);
+  check_scenario(scenario);
+}
+
+void add_roads(const Roads& roads, const RoadMap& map, const std::string& place,
+               RoadScenario& result) {
+  try {
+    add_roads(roads, map.rules, result);
+  } catch (const InputError& error) {
+    const std::string& key = error.where();
+    if (key.starts_with("start") || key.starts_with("goal")) {
+      throw InputError("--" + key, error.problem());
+    }
+    if (key.find(':') != std::string::npos) throw;  // A place of the file.
+    throw InputError(place, key + ": " + error.problem());
+  }
+}
+
+}  // namespace vandplan::io

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How do lanes and areas of a map bind a vehicle?
+//
+// The ground is the union of all lanes and areas. Walls around it keep the body on it. A one-way
+// lane is divided into zones, where nobody drives against it.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "vandplan/files.h"
+
+namespace vandplan::io {
+
+/// A lane between two lines.
+struct Lane {
+  std::string name = {};          ///< name for people: "lanelet 12"
+  std::vector<Point> left = {};   ///< left edge in the direction of travel [m]
+  std::vector<Point> right = {};  ///< right edge in the direction of travel [m]
+  bool is_one_way = true;
+};
+
+/// An obstacle of a map.
+struct MapObstacle {
+  Polygon outline = {};    ///< its outline [m]
+  std::string place = {};  ///< where the file has it: "map.osm:12"
+};
+
+/// What a map says about the ground, in the frame of the scenario.
+struct Roads {
+  std::vector<Lane> lanes = {};
+  std::vector<Polygon> areas = {};           ///< further ground, such as car parks
+  std::vector<MapObstacle> obstacles = {};   ///< what stands on the ground
+  std::map<std::string, int> left_out = {};  ///< what else the map has, and how often
+};
+
+/// Outline of a lane.
+[[nodiscard]] Polygon outline(const Lane& lane);
+
+/// Adds obstacles, walls, zones and notes to a scenario that has start and goal, sets its bounds,
+/// and checks it. Throws InputError naming the place of an obstacle, "start" or "goal" if that pose
+/// is beside the ground, or another key of the scenario. Whether a set of goals is on the ground is
+/// not checked.
+void add_roads(const Roads& roads, const RoadRules& rules, RoadScenario& result);
+
+/// `add_roads` for a map whose user gives start and goal by flags. Errors name "--start", "--goal"
+/// or a place of the file; `place` stands for the whole file.
+void add_roads(const Roads& roads, const RoadMap& map, const std::string& place,
+               RoadScenario& result);
+
+}  // namespace vandplan::io
