@@ -9,11 +9,14 @@
 #include <memory>
 #include <optional>
 
+#include "chosen_path.h"
 #include "commands.h"
 #include "convert_footprint.h"
 #include "endings.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
+#include "vandplan/judge.h"
+#include "vandplan/result_file.h"
 #include "wording.h"
 
 namespace vandplan::app {
@@ -243,21 +246,90 @@ void add_roads(CLI::App& convert, const char* name, const char* description, Rea
   });
 }
 
+struct CommonRoadArguments {
+  ConvertArguments general;
+  CommonRoadCase one;
+  std::string solution;
+};
+
+/// Writes a result as a solution, if the judge accepts its path. Returns the exit status.
+int write_solution(const CommonRoadArguments& arguments) {
+  const ConvertArguments& general = arguments.general;
+  expect_ending(general.output, {"a solution is XML", {".xml"}});
+  const ScenarioFile file = read_commonroad(arguments.one).file;
+  const ResultRecord record = read_results(arguments.solution, file).front();
+  const Choice choice{file.scenario, make_problem(file.scenario), record, file.scenario.name};
+  if (const std::string reason = reason_not_to_drive(choice); !reason.empty()) {
+    return refuse(choice, reason, general.json);
+  }
+  if (record.result.speeds) {
+    const DriveCheck check =
+        check_drive(choice.problem, {*record.result.path, *record.result.speeds});
+    if (!check.valid) return refuse(choice, check.reason, general.json);
+  }
+  const CommonRoadSolution solution = commonroad_solution(arguments.one, record.result);
+  warn(solution.warnings);
+  write_file(general.output, solution.text);
+  if (general.json) {
+    print({{"scenario", file.scenario.name}, {"output", general.output}});
+  } else {
+    fmt::print("{}: solution written to {}\n", printable(file.scenario.name),
+               printable(general.output));
+  }
+  return 0;
+}
+
+void add_commonroad(CLI::App& convert, int& status) {
+  CLI::App* const format = convert.add_subcommand(
+      "commonroad", "Convert a scenario of CommonRoad, or a result into a solution of it.");
+  const auto arguments = std::make_shared<CommonRoadArguments>();
+  arguments->general.vehicle.clear();
+  format->add_option("SCENARIO", arguments->one.file, "Scenario (XML); - is standard input")
+      ->required();
+  format
+      ->add_option("--problem", arguments->one.problem,
+                   "Planning problem, if the scenario has several")
+      ->type_name("ID");
+  CLI::Option* const vehicle =
+      format
+          ->add_option("--vehicle", arguments->general.vehicle,
+                       "Vehicle of the catalogue or file; default: CommonRoad's vehicle 2")
+          ->type_name("NAME");
+  add_rules(*format, arguments->one.rules);
+  format
+      ->add_option("--solution", arguments->solution,
+                   "Write this result (JSON or binary) as a solution (XML)")
+      ->type_name("RESULT")
+      ->excludes(vehicle);
+  add_output(*format, std::shared_ptr<ConvertArguments>(arguments, &arguments->general));
+  format->callback([arguments, &status] {
+    const std::string& name = arguments->general.vehicle;
+    if (!name.empty()) arguments->one.vehicle = vehicle_of(name);
+    if (!arguments->solution.empty()) {
+      status = write_solution(*arguments);
+      return;
+    }
+    const RoadScenario made = read_commonroad(arguments->one);
+    write_with_notes(made.file, made.notes, arguments->general);
+  });
+}
+
 }  // namespace
 
-void add_convert(CLI::App& vandplan, int&) {
+void add_convert(CLI::App& vandplan, int& status) {
   CLI::App* const convert =
       vandplan.add_subcommand("convert", "Convert other formats into scenarios or vehicles.");
   convert->require_subcommand(0, 1);
   convert->callback([convert] {
     if (!convert->get_subcommands().empty()) return;
     throw InputError("convert",
-                     "a format is missing, expected geojson, lanelet2, opendrive, tpcap, movingai, "
-                     "dynobench or footprint");
+                     "a format is missing, expected geojson, lanelet2, opendrive, commonroad, "
+                     "tpcap, movingai, dynobench or footprint");
   });
   add_geojson(*convert);
   add_roads(*convert, "lanelet2", "Convert a map of Lanelet2 (.osm).", read_lanelet2);
   add_roads(*convert, "opendrive", "Convert a map of OpenDRIVE (.xodr).", read_opendrive);
+  add_commonroad(*convert, status);
   add_tpcap(*convert);
   add_movingai(*convert);
   add_dynobench(*convert);

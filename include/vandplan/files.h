@@ -275,7 +275,7 @@ struct GeoJsonScenario {
 /// if `default_width` is out of range.
 [[nodiscard]] GeoJsonScenario read_geojson(const GeoJsonSite& site);
 
-// ---- How do maps of roads become scenarios? ----
+// ---- How do maps of roads, and CommonRoad's scenarios, become scenarios? ----
 //
 // What becomes what: docs/formats.md. Every error is an InputError "file:line: what is wrong, what
 // was expected".
@@ -310,6 +310,31 @@ struct RoadScenario {
 
 /// Reads and checks a map of OpenDRIVE (.xodr). Throws InputError as `read_lanelet2` does.
 [[nodiscard]] RoadScenario read_opendrive(const RoadMap& map);
+
+/// One planning problem of a scenario of CommonRoad.
+struct CommonRoadCase {
+  std::string file = {};     ///< file name (XML); "-" is standard input
+  std::string problem = {};  ///< id of the planning problem; empty: the only one
+  /// Vehicle that drives. None: vehicle 2 of CommonRoad, a BMW 320i.
+  std::optional<Vehicle> vehicle = {};
+  RoadRules rules = {};
+};
+
+/// Reads and checks a scenario of CommonRoad (XML, 2018b or 2020a). Throws InputError "file:line:
+/// what is wrong".
+[[nodiscard]] RoadScenario read_commonroad(const CommonRoadCase& one);
+
+/// A solution in CommonRoad's format.
+struct CommonRoadSolution {
+  std::string text = {};                   ///< the file (XML)
+  std::vector<std::string> warnings = {};  ///< why CommonRoad may not accept it: "file:line: what"
+};
+
+/// The drive along the path of a result as a solution of model KS, vehicle 2, cost function SM1.
+/// The drive keeps the speeds of the result, else it is the fastest. Throws InputError naming
+/// "result" without a path, "vehicle" if the case has one, or as `read_commonroad` does.
+[[nodiscard]] CommonRoadSolution commonroad_solution(const CommonRoadCase& one,
+                                                     const PlanResult& result);
 
 // ---- How do the primitives of other programs become ours? ----
 //

@@ -60,6 +60,7 @@ TEST(CommandLine, APageHoldsTheHelpOfEveryCommand) {
                                                           {"convert", "geojson"},
                                                           {"convert", "lanelet2"},
                                                           {"convert", "opendrive"},
+                                                          {"convert", "commonroad"},
                                                           {"convert", "tpcap"},
                                                           {"convert", "movingai"},
                                                           {"convert", "dynobench"},
@@ -258,10 +259,10 @@ TEST(ConvertCommand, UnknownFormatIsNamed) {
   const Outcome outcome = run_vandplan({"convert", "dxf", "a.dxf"});
   EXPECT_EQ(outcome.status, 2);
   EXPECT_NE(outcome.err.find("dxf"), std::string::npos) << outcome.err;
-  EXPECT_EQ(run_vandplan({"convert"}).err,
-            "vandplan: convert: a format is missing, expected geojson, lanelet2, opendrive, tpcap, "
-            "movingai, "
-            "dynobench or footprint\n");
+  EXPECT_EQ(
+      run_vandplan({"convert"}).err,
+      "vandplan: convert: a format is missing, expected geojson, lanelet2, opendrive, commonroad, "
+      "tpcap, movingai, dynobench or footprint\n");
 }
 
 TEST(ConvertCommand, MapsOfRoadsBecomeScenariosThatPlan) {
@@ -285,6 +286,34 @@ TEST(ConvertCommand, MapsOfRoadsBecomeScenariosThatPlan) {
   const Outcome bad = run_vandplan(
       {"convert", "lanelet2", "a.osm", "--start", "1,2", "--goal", "1,2,3", "-o", scenario});
   EXPECT_EQ(bad.err, "vandplan: --start: is 1,2, expected X,Y,HEADING\n");
+}
+
+TEST(ConvertCommand, ACommonRoadScenarioIsSolvedInItsFormat) {
+  const TemporaryFolder folder;
+  const std::string street = (repository() / "examples" / "street.xml").string();
+  const std::string scenario = folder / "street.yaml";
+  const std::string result = folder / "result.json";
+  const std::string solution = folder / "solution.xml";
+  ASSERT_EQ(run_vandplan({"convert", "commonroad", street, "-o", scenario}).status, 0);
+  ASSERT_EQ(run_vandplan({"plan", scenario, "--max-iterations", "3000", "--output", result}).status,
+            0);
+  const Outcome outcome =
+      run_vandplan({"convert", "commonroad", street, "--solution", result, "-o", solution});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(content_of(solution).find("<ksTrajectory planningProblem=\"5\">"), std::string::npos);
+  EXPECT_EQ(run_vandplan({"convert", "commonroad", street, "--solution", result, "--vehicle", "van",
+                          "-o", solution})
+                .status,
+            2);
+  // A path through the parked car is no solution.
+  write_content(
+      result, R"({"format": "vandplan-result/1", "path": {"start": {"x": 6, "y": -2, "heading": 0},
+                "segments": [{"turn": "straight", "length": 60}]}})");
+  const Outcome refused = run_vandplan(
+      {"convert", "commonroad", street, "--solution", result, "-o", folder / "none.xml"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_FALSE(std::filesystem::exists(folder / "none.xml"));
 }
 
 TEST(ConvertCommand, TpcapCaseBecomesAScenarioThatPlans) {
