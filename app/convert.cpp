@@ -149,6 +149,7 @@ void write_with_notes(const ScenarioFile& file, const std::vector<std::string>& 
   if (file.origin) {
     more["origin"] = {{"longitude", file.origin->longitude}, {"latitude", file.origin->latitude}};
   }
+  expect_writable(arguments.output);  // before any warning
   warn(file.warnings);
   write(file, arguments, more);
   if (arguments.json) return;

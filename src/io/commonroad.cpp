@@ -12,14 +12,13 @@
 #include <numbers>
 
 #include "io/roads.h"
+#include "io/site_shapes.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan::io {
 namespace {
 
 using std::numbers::pi;
-
-constexpr int circle_corners = 32;  // Corners of the polygon in place of a circle.
 
 /// Vehicle 2 of CommonRoad's vehicle models, a BMW 320i. The body's middle is the centre of
 /// gravity. Both accelerations at once stay within the circle of 11.5 m/s^2.
@@ -82,15 +81,7 @@ Polygon shape_from(const XmlFile& file, const XmlNode& node, bool around) {
                   {centre.x, centre.y, turn ? file.number_in(turn) : 0.0});
   }
   if (kind == "circle") {
-    const Point centre = centre_of(file, node);
-    const double grown = around ? 1.0 / std::cos(pi / circle_corners) : 1.0;
-    const double radius = positive(file, file.child(node, "radius")) * grown;
-    Polygon corners;
-    for (int i = 0; i < circle_corners; ++i) {
-      const double angle = 2 * pi * i / circle_corners;
-      corners.push_back({centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)});
-    }
-    return corners;
+    return circle_shape(centre_of(file, node), positive(file, file.child(node, "radius")), around);
   }
   if (kind != "polygon") {
     file.fail(node, "is no shape that is covered, expected rectangle, circle or polygon");
@@ -110,6 +101,13 @@ Polygon shape_of(const XmlFile& file, const XmlNode& obstacle) {
   if (!only || only.next_sibling()) file.fail(shape, "has no or several shapes, expected one");
   return shape_from(file, only, true);
 }
+
+std::string_view sign_of(const XmlNode& element) {
+  return without_blanks(element.child("trafficSignID").text().get());
+}
+
+/// Whether an element of a traffic sign is a speed limit: 274 in Germany, R2-1 in the USA.
+bool is_speed_limit(const XmlNode& element) { return is_any_of(sign_of(element), {"274", "R2-1"}); }
 
 Pose pose_from(const XmlFile& file, const XmlNode& state) {
   const Point point = point_from(file, file.child(file.child(state, "position"), "point"));
@@ -135,7 +133,7 @@ class CaseReader {
     scenario.start = pose_from(file_, file_.child(problem_, "initialState"));
     for (const XmlNode place : goals_) scenario.goal_set.push_back(goal_from(place));
     for (const XmlNode node : file_.root().children()) add_thing(node, scenario);
-    tell(result.notes);
+    tell(result.file.warnings);
     try {
       add_roads(roads_, one.rules, result);
     } catch (const InputError& error) {
@@ -159,10 +157,7 @@ class CaseReader {
     }
     areas_[id] = outline(lane);
     const std::string type = node.child("laneletType").text().get();
-    const auto is = [&](std::initializer_list<std::string_view> words) {
-      return std::ranges::find(words, type) != words.end();
-    };
-    if (is({"sidewalk", "crosswalk", "bicycleLane", "border", "restricted_area"})) {
+    if (is_any_of(type, {"sidewalk", "crosswalk", "bicycleLane", "border", "restricted_area"})) {
       ++roads_.left_out["lanelet " + type];
       return;
     }
@@ -171,7 +166,31 @@ class CaseReader {
       if (user == "vehicle" || user == "car") lane.is_one_way = false;
     }
     if (type == "parking") lane.is_one_way = false;
+    lane.max_speed = speed_limit_of(node);
+    if (node.child("stopLine")) ++roads_.left_out["stopLine"];
     roads_.lanes.push_back(std::move(lane));
+  }
+
+  /// The least speed limit of a lanelet [m/s], of its own (2018b) or of the signs it refers to.
+  [[nodiscard]] std::optional<double> speed_limit_of(const XmlNode& lanelet) const {
+    std::optional<double> least;
+    const auto add = [&](const XmlNode& node) {
+      const double speed = file_.number_in(node);
+      if (!(speed > 0.0)) {
+        file_.fail(node, fmt::format("is {}, expected a speed limit of more than 0 m/s", speed));
+      }
+      least = std::min(least.value_or(speed), speed);
+    };
+    if (const XmlNode own = lanelet.child("speedLimit")) add(own);
+    for (const XmlNode part : lanelet.children("trafficSignRef")) {
+      const std::string id = file_.text(part, "ref");
+      const XmlNode sign = file_.root().find_child_by_attribute("trafficSign", "id", id.c_str());
+      if (!sign) file_.fail(part, "has a ref to no trafficSign of the file");
+      for (const XmlNode element : sign.children("trafficSignElement")) {
+        if (is_speed_limit(element)) add(file_.child(element, "additionalValue"));
+      }
+    }
+    return least;
   }
 
   /// Goal at a place of a goal state.
@@ -208,8 +227,13 @@ class CaseReader {
     } else if (kind == "dynamicObstacle" || kind == "obstacle") {
       scenario.moving.push_back(moving_from(node));
       moving_.push_back(node);
-    } else if (kind == "phantomObstacle") {
-      ++roads_.left_out["phantomObstacle"];
+    } else if (kind == "trafficSign") {
+      for (const XmlNode element : node.children("trafficSignElement")) {
+        if (is_speed_limit(element)) continue;
+        ++roads_.left_out[fmt::format("trafficSign {}", sign_of(element))];
+      }
+    } else if (is_any_of(kind, {"phantomObstacle", "trafficLight", "intersection"})) {
+      ++roads_.left_out[std::string(kind)];
     }
   }
 
@@ -229,17 +253,18 @@ class CaseReader {
     return {steps * step_, pose_from(file_, state)};
   }
 
-  void tell(std::vector<std::string>& notes) const {
+  void tell(std::vector<std::string>& warnings) const {
     if (problem_.find_child([](const XmlNode& node) {
           return node.name() == std::string_view("goalState") &&
                  (node.child("time") || node.child("velocity"));
         })) {
-      notes.push_back("times and speeds of goals are left out: a drive ends where it stands");
+      warnings.push_back("left out: times and speeds of goals; a drive ends where it stands");
     }
     const XmlNode velocity = problem_.child("initialState").child("velocity");
     if (velocity && exact_from(file_, velocity) != 0.0) {
-      notes.push_back(
-          fmt::format("the vehicle starts from rest, not at {} m/s", exact_from(file_, velocity)));
+      warnings.push_back(
+          fmt::format("left out: the initial velocity of {} m/s; a drive starts from rest",
+                      exact_from(file_, velocity)));
     }
   }
 

@@ -26,7 +26,7 @@ constexpr double room = 20.0;       // Distance between the contents of the file
 constexpr double hairline = 0.001;  // Width of the walls along the rings of an area with holes [m].
 
 /// Start or goal, with x and y in the units of the file.
-struct End {
+struct SiteEnd {
   Pose pose;
   const Node* node = nullptr;  // Null if it is not in the file.
 };
@@ -54,7 +54,7 @@ class Plane {
   [[nodiscard]] Point point_at(const Node& node) const {
     return in_plane(raw_position(file_, node), &node);
   }
-  [[nodiscard]] Pose pose_of(const End& end) const {
+  [[nodiscard]] Pose pose_of(const SiteEnd& end) const {
     const Point point = in_plane({end.pose.x, end.pose.y}, end.node);
     return {point.x, point.y, end.pose.heading};
   }
@@ -265,8 +265,8 @@ void add_feature(Draft& draft, const Feature& feature) {
 }
 
 /// Start or goal: the value given by the caller, otherwise the only feature of that kind.
-End end_from(const Document& file, const std::vector<Feature>& features, FeatureKind kind,
-             const std::optional<Pose>& given) {
+SiteEnd end_from(const Document& file, const std::vector<Feature>& features, FeatureKind kind,
+                 const std::optional<Pose>& given) {
   const std::string name = kind == FeatureKind::start ? "start" : "goal";
   const Feature* found = nullptr;
   for (const Feature& feature : features) {
@@ -366,8 +366,8 @@ GeoJsonScenario read_geojson(const GeoJsonSite& site) {
       parse_json(read_file(site.file, largest_text),
                  site.file == "-" ? "standard input" : site.file, 1, {}, "GeoJSON");
   const std::vector<Feature> features = features_from(file);
-  const End start = end_from(file, features, FeatureKind::start, site.start);
-  const End goal = end_from(file, features, FeatureKind::goal, site.goal);
+  const SiteEnd start = end_from(file, features, FeatureKind::start, site.start);
+  const SiteEnd goal = end_from(file, features, FeatureKind::goal, site.goal);
   const bool is_on_earth = !site.is_in_metres && has_longitudes(file);
   const Plane plane(file, is_on_earth, {start.pose.x, start.pose.y});
   Draft draft{file, site, plane, plane.pose_of(start), plane.pose_of(goal)};

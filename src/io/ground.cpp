@@ -63,13 +63,16 @@ void add_cut(const Side& side, const Point& c, const Point& d, std::vector<doubl
 /// Parts of a side, as shares of it, that lie within at least one ring or, if `within` is false,
 /// within none. Parts that are not the whole side and shorter than `least` [m] are left out.
 std::vector<Interval> parts(const Side& side, std::span<const Ring* const> rings, bool within,
-                            double least) {
+                            double least, Effort& effort) {
   std::vector<double> cuts = {0.0, 1.0};
+  std::size_t corners = 0;
   for (const Ring* const ring : rings) {
+    corners += ring->corners.size();
     for (std::size_t i = 0; i < ring->corners.size(); ++i) {
       add_cut(side, ring->corners[i], ring->corners[(i + 1) % ring->corners.size()], cuts);
     }
   }
+  effort.spend(cuts.size() * (corners + 100));
   std::sort(cuts.begin(), cuts.end());
   std::vector<Interval> found;
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
@@ -91,11 +94,28 @@ std::vector<Interval> parts(const Side& side, std::span<const Ring* const> rings
   return found;
 }
 
-/// Whether the inner side of one ring, `depth` inside it, lies partly in the other.
-bool reaches_into(const Ring& one, const Ring& other) {
+/// Whether a side lies in both rings, as a whole or for more than `depth`.
+bool is_in_both(const Side& side, const Ring& one, const Ring& other, Effort& effort) {
+  const Ring* const ones[] = {&one};
   const Ring* const others[] = {&other};
+  const std::vector<Interval> theirs = parts(side, others, true, 0.0, effort);
+  if (theirs.empty()) return false;
+  const double length = distance(side.from, side.to);
+  const double least = std::min(1.0, depth / length);
+  for (const Interval& mine : parts(side, ones, true, 0.0, effort)) {
+    for (const Interval& their : theirs) {
+      const double share = std::min(mine.most, their.most) - std::max(mine.least, their.least);
+      if (share >= least) return true;
+    }
+  }
+  return false;
+}
+
+/// Whether a side of one ring, moved inwards by `depth`, is in the other. At sharp corners the
+/// moved side reaches out of its own ring; only what is within counts.
+bool reaches_into(const Ring& one, const Ring& other, Effort& effort) {
   for (std::size_t i = 0; i < one.corners.size(); ++i) {
-    if (!parts(side_of(one, i, -depth), others, true, depth).empty()) return true;
+    if (is_in_both(side_of(one, i, -depth), one, other, effort)) return true;
   }
   return false;
 }
@@ -133,6 +153,7 @@ std::optional<Ring> ring_of(const Polygon& polygon) {
 }
 
 std::vector<Polygon> walls_around(const Ground& ground) {
+  Effort effort;
   std::vector<Polygon> walls;
   for (const Ring& ring : ground.rings()) {
     for (std::size_t i = 0; i < ring.corners.size(); ++i) {
@@ -144,7 +165,7 @@ std::vector<Polygon> walls_around(const Ground& ground) {
       }
       const Side inner = side_of(ring, i, 0.0);
       const Side outer = side_of(ring, i, hairline);
-      for (const auto& [begin, end] : parts(beyond, near, false, gap)) {
+      for (const auto& [begin, end] : parts(beyond, near, false, gap, effort)) {
         walls.push_back({rounded(between(inner.from, inner.to, begin)),
                          rounded(between(outer.from, outer.to, begin)),
                          rounded(between(outer.from, outer.to, end)),
@@ -155,8 +176,24 @@ std::vector<Polygon> walls_around(const Ground& ground) {
   return walls;
 }
 
-bool overlap(const Ring& one, const Ring& other) {
-  return reaches_into(one, other) || reaches_into(other, one);
+bool overlap(const Ring& one, const Ring& other, Effort& effort) {
+  return reaches_into(one, other, effort) || reaches_into(other, one, effort);
+}
+
+bool touch(const Polygon& polygon, const Ring& ring) {
+  const auto is_in = [](const Polygon& area) {
+    return [&area](const Point& point) { return contains(area, point); };
+  };
+  if (std::ranges::any_of(polygon, is_in(ring.corners))) return true;
+  if (std::ranges::any_of(ring.corners, is_in(polygon))) return true;
+  std::vector<double> cuts;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Side side = {polygon[i], polygon[(i + 1) % polygon.size()]};
+    for (std::size_t k = 0; k < ring.corners.size(); ++k) {
+      add_cut(side, ring.corners[k], ring.corners[(k + 1) % ring.corners.size()], cuts);
+    }
+  }
+  return !cuts.empty();
 }
 
 }  // namespace vandplan::io

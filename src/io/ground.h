@@ -9,6 +9,7 @@
 
 #include "geometry/box_tree.h"
 #include "vandplan/geometry.h"
+#include "vandplan/input_error.h"
 
 namespace vandplan::io {
 
@@ -46,12 +47,30 @@ class Ground {
   geometry::BoxTree tree_;
 };
 
+/// Limit for the work with rings that overlap without end, as in a road wound up.
+class Effort {
+ public:
+  /// Throws an InputError naming "lanes" once more than some ten seconds' work is spent.
+  void spend(std::size_t work) {
+    spent_ += work;
+    if (spent_ <= most) return;
+    throw InputError("lanes", "overlap too often, expected fewer on one place");
+  }
+
+ private:
+  static constexpr std::size_t most = 5'000'000'000;  // Comparisons of a point with a side.
+  std::size_t spent_ = 0;
+};
+
 /// Walls along all sides beyond which there is no ground: rectangles 1 mm thick, just outside.
 /// Gaps of less than 1 cm between rings count as ground.
 [[nodiscard]] std::vector<Polygon> walls_around(const Ground& ground);
 
 /// Whether two rings overlap by more than 10 cm.
-[[nodiscard]] bool overlap(const Ring& one, const Ring& other);
+[[nodiscard]] bool overlap(const Ring& one, const Ring& other, Effort& effort);
+
+/// Whether a polygon and a ring have a point in common.
+[[nodiscard]] bool touch(const Polygon& polygon, const Ring& ring);
 
 /// Twice the area of a polygon [m^2]; negative if its corners are in clockwise order.
 [[nodiscard]] double twice_area(const Polygon& polygon);

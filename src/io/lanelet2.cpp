@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "io/ground.h"
 #include "io/local_plane.h"
@@ -23,11 +24,7 @@ namespace {
 
 using namespace io;
 
-constexpr double wall_width = 0.001;  // Width of walls and fences, which the map does not say [m].
-
-bool is_any_of(std::string_view word, std::initializer_list<std::string_view> words) {
-  return std::ranges::find(words, word) != words.end();
-}
+constexpr double wall_width = 0.001;  // Width of walls, fences and curbs, which no map says [m].
 
 /// Elements of a map by their ids, and the plane that its places are in.
 class OsmMap {
@@ -38,6 +35,11 @@ class OsmMap {
       has_metres_ = has_metres_ || !tag(node, "local_x").empty();
     }
     for (const XmlNode way : file.root().children("way")) ways_[file.text(way, "id")] = way;
+    for (const XmlNode relation : file.root().children("relation")) {
+      for (const XmlNode member : relation.children("member")) {
+        members_.insert(member.attribute("ref").value());
+      }
+    }
     if (has_metres_) return;
     const auto short_angle = [](double degrees) { return std::round(degrees * 1e5) / 1e5; };
     origin_ = GeoPlace{short_angle(map.start.x), short_angle(map.start.y)};
@@ -55,6 +57,11 @@ class OsmMap {
     throw InputError(flag, fmt::format("is {},{}, expected longitude and latitude in degrees of a "
                                        "place within {} km of the start",
                                        given.x, given.y, largest_plane / 1000));
+  }
+
+  /// Whether a way or node is a member of a relation.
+  [[nodiscard]] bool is_member(const XmlNode& node) const {
+    return members_.contains(node.attribute("id").value());
   }
 
   /// Points of a way.
@@ -124,6 +131,7 @@ class OsmMap {
   std::unordered_map<std::string, XmlNode> nodes_;
   std::unordered_map<std::string, XmlNode> ways_;
   std::unordered_map<std::string, Point> points_;
+  std::unordered_set<std::string> members_;  // Ids of all members of relations.
   bool has_metres_ = false;
   std::optional<GeoPlace> origin_;
   ToPlane to_plane_;
@@ -144,6 +152,22 @@ bool is_for_vehicles(const XmlNode& relation, bool by_subtype) {
     is_named = true;
   }
   return !is_named && by_subtype;
+}
+
+/// Speed limit of a lanelet [m/s]: a number of km/h, or with its unit.
+std::optional<double> lanelet_limit(const XmlFile& file, const XmlNode& relation) {
+  for (const XmlNode child : relation.children("tag")) {
+    if (child.attribute("k").value() != std::string_view("speed_limit")) continue;
+    const std::string_view text = without_blanks(child.attribute("v").value());
+    const std::size_t end = std::min(text.find_first_not_of("0123456789.+-"), text.size());
+    const double number = file.number_from(child, "has v ", text.substr(0, end));
+    const std::string_view unit = without_blanks(text.substr(end));
+    const std::optional<double> speed = speed_from(number, unit.empty() ? "km/h" : unit);
+    if (speed) return speed;
+    file.fail(child, fmt::format("has v \"{}\", expected a positive number of km/h, mph or m/s",
+                                 text.substr(0, 40)));
+  }
+  return {};
 }
 
 Lane lane_from(const XmlFile& file, OsmMap& map, const XmlNode& relation) {
@@ -167,6 +191,7 @@ Lane lane_from(const XmlFile& file, OsmMap& map, const XmlNode& relation) {
     std::reverse(lane.right.begin(), lane.right.end());
   }
   lane.is_one_way = !is_any_of(tag(relation, "one_way"), {"no", "false"});
+  lane.max_speed = lanelet_limit(file, relation);
   return lane;
 }
 
@@ -225,10 +250,13 @@ void add_relation(const XmlFile& file, OsmMap& map, const XmlNode& relation, Roa
     } else {
       ++roads.left_out["area " + subtype];
     }
+  } else if (type == "regulatory_element") {
+    ++roads.left_out["regulatory_element " + subtype];
   }
 }
 
-/// Ways that are no edge: car parks and parking spaces as Autoware has them, walls and fences.
+/// Ways that are more than an edge: car parks and parking spaces as Autoware has them, walls,
+/// fences and high curbs.
 void add_way(const XmlFile& file, OsmMap& map, const XmlNode& way, Roads& roads) {
   const std::string_view type = tag(way, "type");
   if (type == "parking_lot") {
@@ -250,6 +278,25 @@ void add_way(const XmlFile& file, OsmMap& map, const XmlNode& way, Roads& roads)
     roads.areas.insert(roads.areas.end(), space.begin(), space.end());
   } else if (is_any_of(type, {"wall", "fence", "guard_rail"})) {
     add_obstacles(file, way, walls_along(map.line_of(way), wall_width), roads);
+  } else if (type == "curbstone" && tag(way, "subtype") == "high") {
+    const std::vector<Polygon> kerbs = walls_along(map.line_of(way), wall_width);
+    roads.kerbs.insert(roads.kerbs.end(), kerbs.begin(), kerbs.end());
+  } else if (!type.empty() && !map.is_member(way)) {
+    ++roads.left_out[fmt::format("way {}", type)];
+  }
+}
+
+/// Counts posts and heights, which are left out.
+void count_nodes(const XmlFile& file, Roads& roads) {
+  std::string_view first;
+  for (const XmlNode node : file.root().children("node")) {
+    if (is_any_of(tag(node, "type"), {"pole", "post", "bollard"})) {
+      ++roads.left_out[fmt::format("node {}", tag(node, "type"))];
+    }
+    const std::string_view height = tag(node, "ele");
+    if (height.empty()) continue;
+    if (first.empty()) first = height;
+    if (height != first) ++roads.left_out["node ele"];
   }
 }
 
@@ -265,6 +312,7 @@ RoadScenario read_lanelet2(const RoadMap& given) {
     add_relation(file, map, relation, roads);
   }
   for (const XmlNode way : file.root().children("way")) add_way(file, map, way, roads);
+  count_nodes(file, roads);
   if (roads.lanes.empty() && roads.areas.empty()) {
     file.fail(file.root(), "has no lanelet or area for vehicles, expected one at least");
   }

@@ -12,6 +12,7 @@
 
 #include "io/ground.h"
 #include "io/road_line.h"
+#include "io/road_objects.h"
 #include "io/roads.h"
 #include "io/xml.h"
 #include "vandplan/files.h"
@@ -26,34 +27,35 @@ constexpr double least_step = 0.01;  // Least distance between corners, along th
 constexpr double narrow = 0.001;     // Width below which there is no lane [m].
 constexpr std::size_t most_corners = 1'000'000;  // Corners of all edges of a map.
 
-bool is_listed(std::string_view word, std::initializer_list<std::string_view> words) {
-  return std::ranges::find(words, word) != words.end();
-}
-
-/// Point beside the reference line [m]; `t` counts to the left.
-Point beside(const Pose& on_line, double t) {
-  return rounded(
-      {on_line.x - t * std::sin(on_line.heading), on_line.y + t * std::cos(on_line.heading)});
-}
-
 /// A lane of a lane section, on one side of the reference line.
 struct SectionLane {
   XmlNode node;
   int id = 0;
   CubicLine width;
   CubicLine border;
+  SpeedLimits speeds;
 
   [[nodiscard]] bool is_ground() const {
-    return is_listed(
+    return is_any_of(
         node.attribute("type").value(),
         {"driving", "parking", "bidirectional", "entry", "exit", "onRamp", "offRamp",
          "connectingRamp", "slipLane", "stop", "bus", "taxi", "HOV", "mwyEntry", "mwyExit"});
   }
 };
 
+/// A road and what holds along all of it.
+struct Road {
+  const XmlFile& file;
+  XmlNode node;
+  RoadLine line;
+  CubicLine offset;
+  SpeedLimits speeds;
+};
+
 /// Adds the lanes of a section on one side, from the reference line outwards.
-void add_side(const XmlFile& file, const XmlNode& section, bool is_left, double s,
+void add_side(const Road& road, const XmlNode& section, bool is_left, double s,
               std::vector<SectionLane>& all) {
+  const XmlFile& file = road.file;
   std::vector<SectionLane> lanes;
   for (const XmlNode node : section.child(is_left ? "left" : "right").children("lane")) {
     const double id = file.number(node, "id");
@@ -62,7 +64,8 @@ void add_side(const XmlFile& file, const XmlNode& section, bool is_left, double 
                                   is_left ? "positive" : "negative"));
     }
     lanes.push_back({node, static_cast<int>(id), CubicLine(file, node, "width", "sOffset", s),
-                     CubicLine(file, node, "border", "sOffset", s)});
+                     CubicLine(file, node, "border", "sOffset", s),
+                     SpeedLimits(file, node, s, road.speeds)});
   }
   std::ranges::sort(lanes, [](const SectionLane& a, const SectionLane& b) {
     return std::abs(a.id) < std::abs(b.id);
@@ -81,16 +84,16 @@ struct Station {
 class Section {
  public:
   /// The section from the distance `begin` along its road to the distance `end`.
-  Section(const XmlFile& file, const RoadLine& line, const CubicLine& offset, const XmlNode& node,
-          double begin, double end)
-      : file_(file), line_(line), offset_(offset), node_(node) {
-    for (const bool is_left : {true, false}) add_side(file, node, is_left, begin, lanes_);
+  Section(const Road& road, const XmlNode& node, double begin, double end)
+      : road_(road), node_(node) {
+    for (const bool is_left : {true, false}) add_side(road, node, is_left, begin, lanes_);
     std::vector<double> distances = {begin, end};
-    line_.add_begins(distances);
-    offset_.add_begins(distances);
+    road.line.add_begins(distances);
+    road.offset.add_begins(distances);
     for (const SectionLane& lane : lanes_) {
       lane.width.add_begins(distances);
       lane.border.add_begins(distances);
+      lane.speeds.add_begins(distances);
     }
     std::erase_if(distances, [&](double s) { return !(s >= begin && s <= end); });
     std::sort(distances.begin(), distances.end());
@@ -108,8 +111,8 @@ class Section {
  private:
   [[nodiscard]] Station at(double s) const {
     Station station{.s = s};
-    const Pose on_line = line_.at(s);
-    const double offset = offset_.at(s);
+    const Pose on_line = road_.line.at(s);
+    const double offset = road_.offset.at(s);
     double t = offset;
     for (std::size_t i = 0; i < lanes_.size(); ++i) {
       const SectionLane& lane = lanes_[i];
@@ -140,7 +143,8 @@ class Section {
     }
     stations_.push_back(last);
     if (stations_.size() * stations_.back().t.size() > most_corners) {
-      file_.fail(node_, fmt::format("is too winding, expected at most {} corners", most_corners));
+      road_.file.fail(node_,
+                      fmt::format("is too winding, expected at most {} corners", most_corners));
     }
   }
 
@@ -162,9 +166,7 @@ class Section {
     return true;
   }
 
-  const XmlFile& file_;
-  const RoadLine& line_;
-  const CubicLine& offset_;
+  const Road& road_;
   XmlNode node_;
   std::vector<SectionLane> lanes_;
   std::vector<Station> stations_;
@@ -180,7 +182,8 @@ int direction_of(const XmlNode& road, const SectionLane& lane) {
   return direction == "reversed" ? -usual : usual;
 }
 
-/// Adds the lane of a section with that index, divided where it has no width.
+/// Adds the lane of a section with that index, divided where it has no width or another speed
+/// limit.
 void add_lane(const XmlNode& road, const Section& section, std::size_t index, Roads& roads) {
   const SectionLane& lane = section.lanes()[index];
   const std::vector<Station>& stations = section.stations();
@@ -207,86 +210,73 @@ void add_lane(const XmlNode& road, const Section& section, std::size_t index, Ro
     made.right.clear();
   };
   for (std::size_t i = 0; i < stations.size(); ++i) {
+    // A station stands for all distances that are less than `narrow` ahead.
+    const std::optional<double> limit = lane.speeds.at(stations[i].s + narrow);
     const bool is_narrow = width(stations[i]) < narrow;
     const bool goes_on = i + 1 < stations.size() && width(stations[i + 1]) >= narrow;
     if (is_narrow && made.left.empty() && !goes_on) continue;
     made.left.push_back(stations[i].edges[lane.id > 0 ? outer : inner]);
     made.right.push_back(stations[i].edges[lane.id > 0 ? inner : outer]);
-    if (!is_narrow || made.left.size() == 1) continue;
+    if (made.left.size() == 1) made.max_speed = limit;
+    const bool changes = i + 1 < stations.size() && limit != made.max_speed;
+    if (made.left.size() == 1 || !(is_narrow || changes)) continue;
     close();
-    if (goes_on) --i;  // The next part begins at the same station.
+    if (goes_on || changes) --i;  // The next part begins at the same station.
   }
   close();
 }
 
-void add_section(const XmlFile& file, const XmlNode& road, const RoadLine& line,
-                 const CubicLine& offset, const XmlNode& section, double end, Roads& roads) {
-  const double begin = file.number(section, "s");
+void add_section(const Road& road, const XmlNode& section, double end, Roads& roads) {
+  const double begin = road.file.number(section, "s");
   if (!(begin >= 0.0 && begin < end)) {
-    file.fail(section, fmt::format("begins at s = {}, expected 0 to less than {}, where the next "
-                                   "one or the end of the road is",
-                                   begin, end));
+    road.file.fail(section,
+                   fmt::format("begins at s = {}, expected 0 to less than {}, where the next "
+                               "one or the end of the road is",
+                               begin, end));
   }
-  const Section lanes(file, line, offset, section, begin, end);
+  const Section lanes(road, section, begin, end);
   for (std::size_t i = 0; i < lanes.lanes().size(); ++i) {
     const SectionLane& lane = lanes.lanes()[i];
     if (lane.is_ground()) {
-      add_lane(road, lanes, i, roads);
+      add_lane(road.node, lanes, i, roads);
+      if (lane.node.child("access")) ++roads.left_out["lane access"];
     } else {
       ++roads.left_out[fmt::format("lane {}", lane.node.attribute("type").value())];
     }
   }
 }
 
-/// Area of a parking space: its first outline, else a rectangle.
-Polygon area_of(const XmlFile& file, const XmlNode& object, const RoadLine& line) {
-  const Pose on_line = line.at(file.number(object, "s"));
-  const Point middle = beside(on_line, file.number(object, "t"));
-  const Pose pose = {middle.x, middle.y, on_line.heading + file.number_or(object, "hdg", 0.0)};
-  const auto point = [&](double u, double v) {
-    const Pose at = compose(pose, {u, v, 0.0});
-    return rounded({at.x, at.y});
+/// Counts what a road has beside its lanes and objects, which is left out.
+void count_rest(const XmlNode& road, Roads& roads) {
+  const auto is_level = [](const XmlNode& node) {
+    return std::ranges::all_of(
+        std::initializer_list<const char*>{"a", "b", "c", "d"},
+        [&](const char* name) { return node.attribute(name).as_double() == 0; });
   };
-  const XmlNode outlines = object.child("outlines");
-  const XmlNode outline = (outlines ? outlines : object).child("outline");
-  Polygon corners;
-  for (const XmlNode corner : outline.children("cornerLocal")) {
-    corners.push_back(point(file.number(corner, "u"), file.number(corner, "v")));
+  for (const XmlNode node : road.child("elevationProfile").children("elevation")) {
+    if (!is_level(node)) ++roads.left_out["elevation"];
   }
-  for (const XmlNode corner : outline.children("cornerRoad")) {
-    corners.push_back(beside(line.at(file.number(corner, "s")), file.number(corner, "t")));
+  for (const XmlNode node : road.child("lateralProfile").children()) {
+    if (!is_level(node)) ++roads.left_out[node.name()];
   }
-  if (outline && corners.size() < 3) {
-    file.fail(outline, fmt::format("has {} corners, expected at least 3", corners.size()));
-  }
-  if (outline) return corners;
-  const double u = file.number(object, "length") / 2;
-  const double v = file.number(object, "width") / 2;
-  return {point(-u, -v), point(u, -v), point(u, v), point(-u, v)};
+  for (const XmlNode node : road.child("signals").children()) ++roads.left_out[node.name()];
 }
 
-void add_road(const XmlFile& file, const XmlNode& road, Roads& roads) {
-  const RoadLine line(file, road);
-  const XmlNode lanes = file.child(road, "lanes");
-  const CubicLine offset(file, lanes, "laneOffset", "s", 0.0);
+void add_road(const XmlFile& file, const XmlNode& node, Roads& roads) {
+  const XmlNode lanes = file.child(node, "lanes");
+  const Road road{file, node, RoadLine(file, node), CubicLine(file, lanes, "laneOffset", "s", 0.0),
+                  SpeedLimits(file, node)};
   for (XmlNode section = lanes.child("laneSection"); section;) {
     const XmlNode next = section.next_sibling("laneSection");
-    add_section(file, road, line, offset, section, next ? file.number(next, "s") : line.length(),
-                roads);
+    add_section(road, section, next ? file.number(next, "s") : road.line.length(), roads);
     section = next;
   }
-  for (const XmlNode object : road.child("objects").children("object")) {
-    const std::string type = object.attribute("type").value();
-    if (type == "parkingSpace") {
-      roads.areas.push_back(area_of(file, object, line));
-    } else {
-      ++roads.left_out["object " + type];
-    }
-  }
+  add_objects(file, node, road.line, roads);
+  count_rest(node, roads);
   std::size_t corners = 0;
   for (const Lane& lane : roads.lanes) corners += lane.left.size() + lane.right.size();
   if (corners > most_corners) {
-    file.fail(road, fmt::format("is one too many, expected at most {} corners of lanes in a map",
+    file.fail(node, fmt::format("is one too many, expected at most {} corners of lanes in a map",
                                 most_corners));
   }
 }

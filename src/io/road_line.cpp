@@ -8,6 +8,9 @@
 #include <array>
 #include <cmath>
 
+#include "io/ground.h"
+#include "io/roads.h"
+
 namespace vandplan::io {
 namespace {
 
@@ -70,6 +73,60 @@ double CubicLine::at(double s) const {
 
 void CubicLine::add_begins(std::vector<double>& distances) const {
   for (const Piece& piece : pieces_) distances.push_back(piece.s);
+}
+
+SpeedLimits::SpeedLimits(const XmlFile& file, const XmlNode& road) {
+  for (const XmlNode type : road.children("type")) {
+    add(file, file.number(type, "s"), type.child("speed"));
+  }
+}
+
+SpeedLimits::SpeedLimits(const XmlFile& file, const XmlNode& lane, double begin,
+                         const SpeedLimits& of_road)
+    : pieces_(of_road.pieces_) {
+  const XmlNode first = lane.child("speed");
+  if (!first) return;
+  const double until = begin + file.number(first, "sOffset");
+  std::erase_if(pieces_, [&](const Piece& piece) { return piece.s >= until; });
+  for (const XmlNode speed : lane.children("speed")) {
+    add(file, begin + file.number(speed, "sOffset"), speed);
+  }
+}
+
+void SpeedLimits::add(const XmlFile& file, double s, const XmlNode& speed) {
+  if (!pieces_.empty() && s < pieces_.back().s) {
+    file.fail(speed, fmt::format("holds from s = {}, expected at least that of the one before, {}",
+                                 s, pieces_.back().s));
+  }
+  std::optional<double> limit;
+  if (speed && !is_any_of(speed.attribute("max").value(), {"no limit", "undefined"})) {
+    const std::string_view unit = speed.attribute("unit").value();
+    const double number = file.number(speed, "max");
+    limit = speed_from(number, unit.empty() ? "m/s" : unit);
+    if (!limit) {
+      file.fail(speed, fmt::format("has max {} and unit \"{}\", expected a positive number of m/s, "
+                                   "mph or km/h",
+                                   number, unit));
+    }
+  }
+  pieces_.push_back({s, limit});
+}
+
+std::optional<double> SpeedLimits::at(double s) const {
+  std::optional<double> limit;
+  for (const Piece& piece : pieces_) {
+    if (piece.s <= s) limit = piece.limit;
+  }
+  return limit;
+}
+
+void SpeedLimits::add_begins(std::vector<double>& distances) const {
+  for (const Piece& piece : pieces_) distances.push_back(piece.s);
+}
+
+Point beside(const Pose& on_line, double t) {
+  return rounded(
+      {on_line.x - t * std::sin(on_line.heading), on_line.y + t * std::cos(on_line.heading)});
 }
 
 RoadLine::RoadLine(const XmlFile& file, const XmlNode& road) {

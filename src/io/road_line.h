@@ -3,6 +3,7 @@
 #pragma once
 // Where is the reference line of a road of OpenDRIVE, and how wide is what lies beside it?
 
+#include <optional>
 #include <vector>
 
 #include "io/xml.h"
@@ -39,6 +40,32 @@ class CubicLine {
   };
   std::vector<Piece> pieces_;
 };
+
+/// Speed limits along a road or lane.
+class SpeedLimits {
+ public:
+  /// Reads the limits of a road, of its children `type`.
+  SpeedLimits(const XmlFile& file, const XmlNode& road);
+  /// Reads the limits of a lane in a section that begins at a distance; `of_road` holds before.
+  SpeedLimits(const XmlFile& file, const XmlNode& lane, double begin, const SpeedLimits& of_road);
+
+  /// Limit at a distance along the road [m/s]; nothing if there is none.
+  [[nodiscard]] std::optional<double> at(double s) const;
+  /// Adds the distances at which limits change.
+  void add_begins(std::vector<double>& distances) const;
+
+ private:
+  struct Piece {
+    double s;
+    std::optional<double> limit;
+  };
+  void add(const XmlFile& file, double s, const XmlNode& speed);
+
+  std::vector<Piece> pieces_;
+};
+
+/// Point beside the reference line [m]; `t` counts to the left.
+[[nodiscard]] Point beside(const Pose& on_line, double t);
 
 /// Reference line of a road.
 class RoadLine {

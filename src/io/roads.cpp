@@ -11,6 +11,7 @@
 
 #include "geometry/polygon.h"
 #include "io/ground.h"
+#include "io/xml.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan::io {
@@ -110,10 +111,10 @@ void add_pieces(const Lane& lane, std::size_t index, std::vector<Piece>& pieces)
 }
 
 /// Whether two pieces overlap so that no direction of travel would be right in both.
-bool exclude_each_other(const Piece& one, const Piece& other, const Roads& roads) {
+bool exclude_each_other(const Piece& one, const Piece& other, const Roads& roads, Effort& effort) {
   const bool are_alike = roads.lanes[one.lane].is_one_way && roads.lanes[other.lane].is_one_way &&
                          std::abs(wrap_angle(one.heading - other.heading)) <= askew;
-  return one.lane != other.lane && !are_alike && overlap(one.ring, other.ring);
+  return one.lane != other.lane && !are_alike && overlap(one.ring, other.ring, effort);
 }
 
 /// What keeps a polygon from being simple; empty if it is simple.
@@ -121,29 +122,41 @@ std::string flaw_of(const Polygon& polygon) {
   return geometry::flaw_of(geometry::cleaned(polygon), {});
 }
 
-/// Adds zones of one-way lanes, except where lanes cross. Returns the number of pieces without one.
-int add_zones(const Roads& roads, Scenario& scenario) {
+/// Speed limit rounded down to 0.1 mm/s.
+std::optional<double> rounded_down(std::optional<double> speed) {
+  if (speed) *speed = std::max(1e-4, std::floor(*speed * 1e4) / 1e4);
+  return speed;
+}
+
+/// Adds zones of lanes with a direction, except where lanes cross, or with a speed limit. Returns
+/// the number of pieces that lack a zone.
+int add_zones(const Roads& roads, bool both_ways, Scenario& scenario) {
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i < roads.lanes.size(); ++i) add_pieces(roads.lanes[i], i, pieces);
   std::vector<Ring> rings;
+  rings.reserve(pieces.size());
   for (const Piece& piece : pieces) rings.push_back(piece.ring);
   const Ground ground(std::move(rings));
+  Effort effort;
   int without_zone = 0;
   for (const Piece& piece : pieces) {
     const Lane& lane = roads.lanes[piece.lane];
-    if (!lane.is_one_way) continue;
+    const bool has_direction = lane.is_one_way && !both_ways;
+    if (!has_direction && !lane.max_speed) continue;
+    Zone zone{
+        .name = lane.name, .area = piece.ring.corners, .max_speed = rounded_down(lane.max_speed)};
     const std::vector<std::size_t> near = ground.near(piece.ring.box);
-    const bool is_crossed = std::ranges::any_of(
-        near, [&](std::size_t other) { return exclude_each_other(piece, pieces[other], roads); });
-    if (is_crossed || !flaw_of(piece.ring.corners).empty()) {
-      ++without_zone;
-      continue;
+    const bool is_crossed = has_direction && std::ranges::any_of(near, [&](std::size_t other) {
+                              return exclude_each_other(piece, pieces[other], roads, effort);
+                            });
+    const bool is_simple = flaw_of(piece.ring.corners).empty();
+    if (is_crossed || !is_simple) ++without_zone;
+    if (!is_simple || (is_crossed && !lane.max_speed)) continue;
+    if (has_direction && !is_crossed) {
+      const double heading = std::round(piece.heading * 1e4) / 1e4;
+      zone.direction = HeadingRange{heading - quarter_turn, heading + quarter_turn};
     }
-    const double heading = std::round(piece.heading * 1e4) / 1e4;
-    scenario.zones.push_back(
-        {.name = lane.name,
-         .area = piece.ring.corners,
-         .direction = HeadingRange{heading - quarter_turn, heading + quarter_turn}});
+    scenario.zones.push_back(std::move(zone));
   }
   return without_zone;
 }
@@ -164,6 +177,19 @@ void expect_near(const Polygon& corners, const Pose& start) {
         "lanes", fmt::format("reach to {}, {}, expected at most 1000 km from the start", corner.x,
                              corner.y));
   }
+}
+
+/// Throws unless one of the goals has a place on the ground.
+void expect_goals_on_ground(const std::vector<Ring>& ground, const std::vector<GoalRegion>& goals) {
+  for (const GoalRegion& goal : goals) {
+    const auto& [x, y] = std::pair{goal.x, goal.y};
+    const Polygon box = {
+        {x.least, y.least}, {x.most, y.least}, {x.most, y.most}, {x.least, y.most}};
+    const Polygon& area = goal.area.empty() ? box : goal.area;
+    if (std::ranges::any_of(ground, [&](const Ring& ring) { return touch(area, ring); })) return;
+  }
+  throw InputError("goal",
+                   "is beside all lanes and areas, expected a place on one of them, or open edges");
 }
 
 void expect_on_ground(const std::vector<Ring>& ground, const Pose& pose, const char* name) {
@@ -196,19 +222,18 @@ Bounds bounds_around(const Scenario& scenario, const std::vector<Ring>& ground) 
           millimetres(box.y_min - room), millimetres(box.y_max + room)};
 }
 
-void tell(const Roads& roads, const Scenario& scenario, int without_zone,
-          std::vector<std::string>& notes) {
-  notes.push_back(fmt::format("lanes: {}, areas: {}, one-way zones: {}", roads.lanes.size(),
-                              roads.areas.size(), scenario.zones.size()));
+void tell(const Roads& roads, int without_zone, RoadScenario& result) {
+  result.notes.push_back(fmt::format("lanes: {}, areas: {}, zones: {}", roads.lanes.size(),
+                                     roads.areas.size(), result.file.scenario.zones.size()));
   if (without_zone > 0) {
-    notes.push_back(
-        fmt::format("parts of lanes without a zone, where lanes cross: {}", without_zone));
+    result.notes.push_back(fmt::format(
+        "parts of one-way lanes open to both directions, where lanes cross: {}", without_zone));
   }
   std::string text;
   for (const auto& [what, count] : roads.left_out) {
     text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", what, count);
   }
-  if (!text.empty()) notes.push_back("left out: " + text);
+  if (!text.empty()) result.file.warnings.push_back("left out: " + text);
 }
 
 }  // namespace
@@ -217,6 +242,16 @@ Polygon outline(const Lane& lane) {
   Polygon corners = lane.left;
   corners.insert(corners.end(), lane.right.rbegin(), lane.right.rend());
   return corners;
+}
+
+std::optional<double> speed_from(double number, std::string_view unit) {
+  double factor = 0.0;
+  if (is_any_of(unit, {"m/s", "mps"})) factor = 1.0;
+  if (is_any_of(unit, {"km/h", "kmh"})) factor = 1.0 / 3.6;
+  if (unit == "mph") factor = 0.44704;
+  const double speed = number * factor;
+  if (!(speed > 0.0)) return {};
+  return speed;
 }
 
 void add_roads(const Roads& roads, const RoadRules& rules, RoadScenario& result) {
@@ -236,12 +271,16 @@ void add_roads(const Roads& roads, const RoadRules& rules, RoadScenario& result)
   scenario.bounds = bounds_around(scenario, rings);
   if (!rules.open_edges && !rings.empty()) {
     expect_on_ground(rings, scenario.start, "start");
-    if (scenario.goal_set.empty()) expect_on_ground(rings, scenario.goal, "goal");
+    if (scenario.goal_set.empty()) {
+      expect_on_ground(rings, scenario.goal, "goal");
+    } else {
+      expect_goals_on_ground(rings, scenario.goal_set);
+    }
     const std::vector<Polygon> walls = walls_around(Ground(std::move(rings)));
     scenario.obstacles.insert(scenario.obstacles.end(), walls.begin(), walls.end());
   }
-  const int without_zone = rules.both_ways ? 0 : add_zones(roads, scenario);
-  tell(roads, scenario, without_zone, result.notes);
+  scenario.kerbs.insert(scenario.kerbs.end(), roads.kerbs.begin(), roads.kerbs.end());
+  tell(roads, add_zones(roads, rules.both_ways, scenario), result);
   check_scenario(scenario);
 }
 

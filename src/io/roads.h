@@ -3,11 +3,13 @@
 #pragma once
 // How do lanes and areas of a map bind a vehicle?
 //
-// The ground is the union of all lanes and areas. Walls around it keep the body on it. A one-way
-// lane is divided into zones, where nobody drives against it.
+// The ground is the union of all lanes and areas. Walls around it keep the body on it. A lane that
+// is one-way or has a speed limit is divided into zones.
 
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "vandplan/files.h"
@@ -20,6 +22,7 @@ struct Lane {
   std::vector<Point> left = {};   ///< left edge in the direction of travel [m]
   std::vector<Point> right = {};  ///< right edge in the direction of travel [m]
   bool is_one_way = true;
+  std::optional<double> max_speed = {};  ///< speed limit [m/s]
 };
 
 /// An obstacle of a map.
@@ -33,16 +36,21 @@ struct Roads {
   std::vector<Lane> lanes = {};
   std::vector<Polygon> areas = {};           ///< further ground, such as car parks
   std::vector<MapObstacle> obstacles = {};   ///< what stands on the ground
+  std::vector<Polygon> kerbs = {};           ///< what wheels may not cross
   std::map<std::string, int> left_out = {};  ///< what else the map has, and how often
 };
 
 /// Outline of a lane.
 [[nodiscard]] Polygon outline(const Lane& lane);
 
-/// Adds obstacles, walls, zones and notes to a scenario that has start and goal, sets its bounds,
-/// and checks it. Throws InputError naming the place of an obstacle, "start" or "goal" if that pose
-/// is beside the ground, or another key of the scenario. Whether a set of goals is on the ground is
-/// not checked.
+/// Speed [m/s] of a number with a unit: "km/h" or "kmh", "mph", "m/s" or "mps". Nothing if the unit
+/// is another one, or if the speed is not positive.
+[[nodiscard]] std::optional<double> speed_from(double number, std::string_view unit);
+
+/// Adds obstacles, walls, zones, notes and a warning of what is left out to a scenario that has
+/// start and goal, sets its bounds, and checks it. Throws InputError naming the place of an
+/// obstacle, "start" or "goal" if that pose or all of a set of goals is beside the ground, or
+/// another key of the scenario.
 void add_roads(const Roads& roads, const RoadRules& rules, RoadScenario& result);
 
 /// `add_roads` for a map whose user gives start and goal by flags. Errors name "--start", "--goal"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace vandplan::io {
 namespace {
@@ -49,6 +50,18 @@ Polygon square_around(const Point& center, double side) {
           {center.x + half, center.y - half},
           {center.x + half, center.y + half},
           {center.x - half, center.y + half}};
+}
+
+Polygon circle_shape(const Point& center, double radius, bool around) {
+  constexpr int count = 32;
+  const double reach = around ? radius / std::cos(std::numbers::pi / count) : radius;
+  Polygon corners;
+  corners.reserve(count);
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * i / count;
+    corners.push_back({center.x + reach * std::cos(angle), center.y + reach * std::sin(angle)});
+  }
+  return corners;
 }
 
 bool is_box(const Polygon& ring) {

@@ -18,6 +18,9 @@ namespace vandplan::io {
 /// Square with a centre, and sides of length `side` along the axes [m].
 [[nodiscard]] Polygon square_around(const Point& center, double side);
 
+/// Regular polygon of 32 corners in place of a circle: around it, or within it.
+[[nodiscard]] Polygon circle_shape(const Point& center, double radius, bool around);
+
 /// Whether a ring is a box along the axes, but for one percent of its size.
 [[nodiscard]] bool is_box(const Polygon& ring);
 

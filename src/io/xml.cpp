@@ -14,22 +14,23 @@
 #include "vandplan/input_error.h"
 
 namespace vandplan::io {
-namespace {
 
-std::string_view trimmed(std::string_view text) {
+std::string_view without_blanks(std::string_view text) {
   constexpr std::string_view blanks = " \t\r\n";
   const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-}  // namespace
-
 XmlFile::XmlFile(const std::string& file, const char* root, const std::string& expected)
     : file_(file == "-" ? "standard input" : file) {
   const std::string text = read_file(file, largest_text);
   for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1)) {
     line_ends_.push_back(static_cast<std::ptrdiff_t>(at));
+  }
+  constexpr std::ptrdiff_t most = 2 * most_values;  // An element takes 56 bytes, an attribute 40.
+  if (std::count_if(text.begin(), text.end(), [](char c) { return c == '<' || c == '='; }) > most) {
+    throw InputError(file_, fmt::format("has more than {} signs < and =, expected no more", most));
   }
   const pugi::xml_parse_result parsed = document_.load_buffer(text.data(), text.size());
   if (!parsed) {
@@ -72,7 +73,7 @@ double XmlFile::number_in(const XmlNode& node) const {
 
 double XmlFile::number_from(const XmlNode& node, const std::string& what,
                             std::string_view text) const {
-  const std::string_view digits = trimmed(text);
+  const std::string_view digits = without_blanks(text);
   const std::string_view number = digits.starts_with('+') ? digits.substr(1) : digits;
   double value = 0.0;
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);

@@ -3,7 +3,9 @@
 #pragma once
 // Which elements does an XML file contain, and on which lines?
 
+#include <algorithm>
 #include <cstddef>
+#include <initializer_list>
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
@@ -39,12 +41,13 @@ class XmlFile {
 
   /// File and line at which the element begins: "map.osm:12".
   [[nodiscard]] std::string place_of(const XmlNode& node) const;
+  /// Text as a finite number; `what` introduces it in errors.
+  [[nodiscard]] double number_from(const XmlNode& node, const std::string& what,
+                                   std::string_view text) const;
   /// Throws an InputError that names the element.
   [[noreturn]] void fail(const XmlNode& node, const std::string& problem) const;
 
  private:
-  [[nodiscard]] double number_from(const XmlNode& node, const std::string& what,
-                                   std::string_view text) const;
   [[nodiscard]] std::string line_at(std::ptrdiff_t offset) const;
 
   std::string file_;
@@ -52,6 +55,15 @@ class XmlFile {
   pugi::xml_document document_;
   XmlNode root_;
 };
+
+/// Whether a word is one of a list.
+[[nodiscard]] inline bool is_any_of(std::string_view word,
+                                    std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// Text without blanks around it.
+[[nodiscard]] std::string_view without_blanks(std::string_view text);
 
 /// Value of a tag `<tag k="key" v="value"/>`, as OpenStreetMap has them; empty if there is none.
 [[nodiscard]] std::string_view tag(const XmlNode& node, std::string_view key);

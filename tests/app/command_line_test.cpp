@@ -275,13 +275,13 @@ TEST(ConvertCommand, MapsOfRoadsBecomeScenariosThatPlan) {
                       "5,-1.75,0", "--goal", goal, "-o", scenario});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(run_vandplan({"plan", scenario, "--max-iterations", "2000"}).status, 0);
-    return outcome.out;
+    return outcome.out + outcome.err;
   };
   EXPECT_NE(converted("lanelet2", "lanelets.osm", "30,-9,0").find("  lanes: 2, areas: 1"),
             std::string::npos);
-  EXPECT_NE(
-      converted("opendrive", "road.xodr", "51.75,50,1.5708").find("  left out: lane sidewalk"),
-      std::string::npos);
+  EXPECT_NE(converted("opendrive", "road.xodr", "51.75,50,1.5708")
+                .find("vandplan: warning: left out: lane sidewalk (1)\n"),
+            std::string::npos);
   EXPECT_NE(content_of(scenario).find("zones:\n"), std::string::npos);
   const Outcome bad = run_vandplan(
       {"convert", "lanelet2", "a.osm", "--start", "1,2", "--goal", "1,2,3", "-o", scenario});

@@ -60,8 +60,10 @@ TEST_F(CommonRoad, AStreetBecomesAScenario) {
   EXPECT_NEAR(
       scenario.vehicle.front_overhang + scenario.vehicle.rear_overhang + scenario.vehicle.wheelbase,
       4.508, 1e-9);
-  EXPECT_EQ(made.notes[0], "times and speeds of goals are left out: a drive ends where it stands");
-  EXPECT_EQ(made.notes[1], "lanes: 2, areas: 0, one-way zones: 0");
+  EXPECT_EQ(made.file.warnings,
+            std::vector<std::string>{
+                "left out: times and speeds of goals; a drive ends where it stands"});
+  EXPECT_EQ(made.notes, std::vector<std::string>{"lanes: 2, areas: 0, zones: 0"});
 }
 
 TEST_F(CommonRoad, LaneletsAreOneWayUnlessVehiclesDriveBothWays) {
@@ -81,6 +83,32 @@ TEST_F(CommonRoad, LaneletsAreOneWayUnlessVehiclesDriveBothWays) {
   EXPECT_EQ(message("urban", "sidewalk"),
             "a.xml:43: initialState: start is at 6, -2, beside all lanes and areas, expected a "
             "place on one of them");
+}
+
+TEST_F(CommonRoad, SpeedLimitsAreOfLaneletsOrSigns) {
+  const std::string both =
+      "<userBidirectional>vehicle</userBidirectional>\n  </lanelet>\n  <static";
+  const std::string signs =
+      "<trafficSign id=\"8\"><trafficSignElement><trafficSignID>274</trafficSignID>"
+      "<additionalValue>13.5</additionalValue></trafficSignElement></trafficSign>"
+      "<trafficSign id=\"9\"><trafficSignElement><trafficSignID>206</trafficSignID>"
+      "</trafficSignElement></trafficSign><intersection id=\"7\"/></commonRoad>";
+  const RoadScenario made = read(exchanged(
+      exchanged(example(), "</commonRoad>", signs), both,
+      "<userBidirectional>vehicle</userBidirectional><trafficSignRef ref=\"9\"/><trafficSignRef "
+      "ref=\"8\"/><stopLine/></lanelet><static"));
+  ASSERT_EQ(made.file.scenario.zones.size(), 1U);
+  EXPECT_EQ(made.file.scenario.zones[0].name, "lanelet 2");
+  EXPECT_EQ(made.file.scenario.zones[0].max_speed, 13.5);
+  EXPECT_EQ(made.file.scenario.zones[0].direction, std::nullopt);
+  EXPECT_EQ(made.file.warnings.back(),
+            "left out: intersection (1), stopLine (1), trafficSign 206 (1)");
+  const std::string urban = "<laneletType>urban</laneletType>";
+  EXPECT_EQ(with(urban, urban + "<speedLimit>8</speedLimit>").zones[0].max_speed, 8);
+  EXPECT_EQ(message(urban, urban + "<speedLimit>0</speedLimit>"),
+            "a.xml:13: speedLimit: is 0, expected a speed limit of more than 0 m/s");
+  EXPECT_EQ(message(urban, urban + "<trafficSignRef ref=\"8\"/>"),
+            "a.xml:13: trafficSignRef: has a ref to no trafficSign of the file");
 }
 
 TEST_F(CommonRoad, GoalsHaveAllKindsOfPlaces) {
@@ -123,7 +151,8 @@ TEST_F(CommonRoad, TimesCountFromTheStartOfTheVehicle) {
                 "<exact>10</exact></time><velocity><exact>3</exact></velocity>");
   const RoadScenario made = read(text);
   EXPECT_DOUBLE_EQ(made.file.scenario.moving[0].trajectory[1].t, 3);
-  EXPECT_EQ(made.notes[1], "the vehicle starts from rest, not at 3 m/s");
+  EXPECT_EQ(made.file.warnings[1],
+            "left out: the initial velocity of 3 m/s; a drive starts from rest");
 }
 
 TEST_F(CommonRoad, ObstaclesOf2018AreRead) {

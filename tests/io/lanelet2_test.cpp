@@ -50,7 +50,7 @@ TEST_F(Lanelet2, ARoadWithACarParkBecomesAScenario) {
   EXPECT_EQ(scenario.zones[0].direction, (HeadingRange{-1.5708, 1.5708}));
   EXPECT_EQ(scenario.zones[1].name, "lanelet 22");
   EXPECT_NEAR(scenario.zones[1].direction->from, pi / 2, 1e-3);
-  EXPECT_EQ(made.notes, std::vector<std::string>{"lanes: 2, areas: 1, one-way zones: 2"});
+  EXPECT_EQ(made.notes, std::vector<std::string>{"lanes: 2, areas: 1, zones: 2"});
   EXPECT_EQ(made.file.origin, std::nullopt);
   PlanOptions options;
   options.budget.max_iterations = 3000;
@@ -86,7 +86,40 @@ TEST_F(Lanelet2, TagsSayWhoDrivesThere) {
       read(exchanged(example(), "</osm>",
                      "<relation id='9'><tag k='type' v='lanelet'/><tag k='subtype' v='crosswalk'/>"
                      "</relation></osm>"));
-  EXPECT_EQ(crosswalk.notes.back(), "left out: lanelet crosswalk (1)");
+  EXPECT_EQ(crosswalk.file.warnings, std::vector<std::string>{"left out: lanelet crosswalk (1)"});
+}
+
+TEST_F(Lanelet2, SpeedLimitsHaveUnits) {
+  const std::string road = "<tag k='type' v='lanelet'/><tag k='subtype' v='road'/>";
+  const auto limited = [&](const std::string& limit) {
+    return exchanged(example(), road, road + "<tag k='speed_limit' v='" + limit + "'/>");
+  };
+  const auto zones = [&](const std::string& limit) {
+    return read(limited(limit)).file.scenario.zones;
+  };
+  EXPECT_EQ(zones("36")[0].max_speed, 10);
+  EXPECT_EQ(zones("36.0 km/h")[0].max_speed, 10);
+  EXPECT_EQ(zones("7m/s")[0].max_speed, 7);
+  EXPECT_EQ(zones("7m/s")[1].max_speed, std::nullopt);
+  EXPECT_EQ(message(limited("walk")), "a.osm:22: tag: has v \"\", expected a number");
+  EXPECT_EQ(message(limited("0")),
+            "a.osm:22: tag: has v \"0\", expected a positive number of km/h, mph or m/s");
+  EXPECT_EQ(message(limited("9 knots")),
+            "a.osm:22: tag: has v \"9 knots\", expected a positive number of km/h, mph or m/s");
+}
+
+TEST_F(Lanelet2, WhatIsNotReadIsAWarning) {
+  const RoadScenario made = read(exchanged(
+      exchanged(example(), "<tag k='local_x' v='20'/>",
+                "<tag k='local_x' v='20'/><tag k='ele' v='1'/><tag k='type' v='pole'/>"),
+      "</osm>",
+      "<node id='50'><tag k='local_x' v='1'/><tag k='local_y' v='1'/><tag k='ele' v='2'/></node>"
+      "<way id='31'><nd ref='9'/><nd ref='10'/><tag k='type' v='stop_line'/></way>"
+      "<relation id='9'><tag k='type' v='regulatory_element'/><tag k='subtype' "
+      "v='traffic_light'/></relation></osm>"));
+  EXPECT_EQ(made.file.warnings,
+            std::vector<std::string>{"left out: node ele (1), node pole (1), regulatory_element "
+                                     "traffic_light (1), way stop_line (1)"});
 }
 
 TEST_F(Lanelet2, AreasAndWaysAreGroundOrObstacles) {
@@ -104,13 +137,18 @@ TEST_F(Lanelet2, AreasAndWaysAreGroundOrObstacles) {
                                                "<nd ref='3'/></way><way id='31'><nd ref='9'/>"
                                                "<nd ref='10'/><tag k='type' v='fence'/></way>");
   EXPECT_EQ(fence.size(), 11U);
+  const std::string curb = "<tag k='type' v='curbstone'/></way>\n  <way id='12'>";
+  EXPECT_TRUE(read(example()).file.scenario.kerbs.empty());
+  EXPECT_EQ(read(exchanged(example(), curb, "<tag k='subtype' v='high'/>" + curb))
+                .file.scenario.kerbs.size(),
+            3U);
   // Autoware's ways: a lot, and a space along its middle line with a width.
   const std::string ways =
       "<way id='31'><nd ref='5'/><nd ref='9'/><nd ref='1'/><tag k='type' v='parking_lot'/></way>"
       "<way id='32'><nd ref='9'/><nd ref='10'/><tag k='type' v='parking_space'/>"
       "<tag k='width' v='3'/></way></osm>";
   const RoadScenario made = read(exchanged(example(), "</osm>", ways));
-  EXPECT_EQ(made.notes[0], "lanes: 2, areas: 3, one-way zones: 2");
+  EXPECT_EQ(made.notes[0], "lanes: 2, areas: 3, zones: 2");
 }
 
 TEST_F(Lanelet2, DegreesBecomeMetres) {

@@ -111,7 +111,7 @@ TEST_F(OpenDrive, ARoadWithAParkingSpaceBecomesAScenario) {
   const Scenario& scenario = made.file.scenario;
   EXPECT_EQ(scenario.name, "a");
   EXPECT_EQ(made.notes[0].substr(0, 19), "lanes: 2, areas: 1,");
-  EXPECT_EQ(made.notes.back(), "left out: lane sidewalk (1)");
+  EXPECT_EQ(made.file.warnings, std::vector<std::string>{"left out: lane sidewalk (1)"});
   // The parking space is open to the lane, and the lanes are open to each other.
   const Problem problem = make_problem(scenario);
   const CollisionChecker checker(Footprint{0.1, 0.1, 0.1}, scenario.bounds, scenario.obstacles);
@@ -228,6 +228,80 @@ TEST_F(OpenDrive, ParkingSpacesHaveOutlinesOrSizes) {
             -30);
 }
 
+TEST_F(OpenDrive, ObjectsAreObstaclesAndMayBeRepeated) {
+  const auto read_with = [&](const std::string& objects) {
+    const std::string text = exchanged(map_of(straight, "<right>" + lane(-1, wide) + "</right>"),
+                                       "</road>", "<objects>" + objects + "</objects></road>");
+    RoadScenario made = read(text);
+    std::erase_if(made.file.scenario.obstacles, [](const Polygon& polygon) {  // Walls.
+      const Bounds box = bounding_box(polygon);
+      return box.x_max - box.x_min < 0.01 || box.y_max - box.y_min < 0.01;
+    });
+    return made;
+  };
+  const auto obstacles = [&](const std::string& object) {
+    return read_with(object).file.scenario.obstacles;
+  };
+  EXPECT_EQ(obstacles(R"(<object type="barrier" s="20" t="-2" length="4" width="1"/>)"),
+            (std::vector<Polygon>{{{18, -2.5}, {22, -2.5}, {22, -1.5}, {18, -1.5}}}));
+  const std::vector<Polygon> trees =
+      obstacles(R"(<object type="tree" s="0" t="9" radius="1"><repeat s="10" length="20" )"
+                R"(distance="10" tStart="5" tEnd="7"/></object>)");
+  ASSERT_EQ(trees.size(), 3U);
+  EXPECT_EQ(trees[0].size(), 32U);
+  EXPECT_NEAR(bounding_box(trees[1]).x_min, 19, 0.01);
+  EXPECT_NEAR(bounding_box(trees[1]).y_max, 7, 0.01);
+  // Corners along the road are moved with their object.
+  const std::vector<Polygon> boxes = obstacles(
+      R"(<object type="building" s="5" t="3"><repeat s="10" length="4" distance="4"/><outlines>)"
+      R"(<outline><cornerRoad s="5" t="3"/><cornerRoad s="7" t="3"/><cornerRoad s="7" t="6"/>)"
+      R"(</outline><outline outer="false"/></outlines></object>)");
+  EXPECT_EQ(boxes,
+            (std::vector<Polygon>{{{10, 3}, {12, 3}, {12, 6}}, {{14, 3}, {16, 3}, {16, 6}}}));
+  const RoadScenario rest = read_with(
+      R"(<object type="crosswalk" s="1" t="0"/><object type="pole" s="1" t="0"/>)"
+      R"(<object type="railing" s="0" t="0" width="1" length="1"><repeat s="0" length="9" )"
+      R"(distance="0"/></object>)");
+  EXPECT_TRUE(rest.file.scenario.obstacles.empty());
+  EXPECT_EQ(rest.file.warnings,
+            std::vector<std::string>{"left out: object crosswalk (1), object pole without a size "
+                                     "(1), object railing without a size (1)"});
+}
+
+TEST_F(OpenDrive, SpeedLimitsOfLanesComeBeforeThoseOfRoads) {
+  const auto zones = [&](const std::string& more, const std::string& type) {
+    const std::string lanes =
+        "<right>" + exchanged(lane(-1, wide), "</lane>", more + "</lane>") + "</right>";
+    return read(exchanged(map_of(straight, lanes), "<planView>", type + "<planView>"))
+        .file.scenario.zones;
+  };
+  const std::string slow = R"(<type s="20" type="town"><speed max="36" unit="km/h"/></type>)";
+  const std::vector<Zone> two = zones("", R"(<type s="0" type="rural"/>)" + slow);
+  ASSERT_EQ(two.size(), 2U);
+  EXPECT_EQ(two[0].max_speed, std::nullopt);
+  EXPECT_EQ(bounding_box(two[0].area), (Bounds{0, 20, -3, 0}));
+  EXPECT_EQ(two[1].max_speed, 10);
+  EXPECT_EQ(bounding_box(two[1].area), (Bounds{20, 50, -3, 0}));
+  const std::vector<Zone> three =
+      zones(R"(<speed sOffset="30" max="5"/><speed sOffset="40" max="no limit"/>)", slow);
+  ASSERT_EQ(three.size(), 4U);
+  EXPECT_EQ(three[1].max_speed, 10);
+  EXPECT_EQ(three[2].max_speed, 5);
+  EXPECT_EQ(bounding_box(three[2].area), (Bounds{30, 40, -3, 0}));
+  EXPECT_EQ(three[3].max_speed, std::nullopt);
+}
+
+TEST_F(OpenDrive, WhatIsNotReadIsAWarning) {
+  const std::string text = exchanged(
+      exchanged(map_of(straight, "<right>" + lane(-1, wide) + "</right>"), "<lanes>",
+                R"(<elevationProfile><elevation s="0" a="0" b="0" c="0" d="0"/><elevation s="9" )"
+                R"(a="0" b="0.1" c="0" d="0"/></elevationProfile><lateralProfile><superelevation )"
+                R"(s="0" a="0.1" b="0" c="0" d="0"/></lateralProfile><lanes>)"),
+      "</road>", "<signals><signal/><signal/></signals></road>");
+  EXPECT_EQ(read(text).file.warnings,
+            std::vector<std::string>{"left out: elevation (1), signal (2), superelevation (1)"});
+}
+
 TEST_F(OpenDrive, WhatIsWrongHasOneLine) {
   const std::string good = map_of(straight, "<right>" + lane(-1, wide) + "</right>");
   const auto with = [&](const std::string& part, const std::string& by) {
@@ -250,6 +324,15 @@ TEST_F(OpenDrive, WhatIsWrongHasOneLine) {
   EXPECT_EQ(with("<lanes>", "<lane>"),
             "a.xodr:4: is no XML (Start-end tags mismatch), expected a "
             "map of OpenDRIVE");
+  EXPECT_EQ(with("</lane>", R"(<speed sOffset="0" max="9" unit="knots"/></lane>)"),
+            "a.xodr:4: speed: has max 9 and unit \"knots\", expected a positive number of m/s, mph "
+            "or km/h");
+  EXPECT_EQ(with("</lane>", R"(<speed sOffset="9" max="9"/><speed sOffset="3" max="9"/></lane>)"),
+            "a.xodr:4: speed: holds from s = 3, expected at least that of the one before, 9");
+  EXPECT_EQ(
+      with("</road>", R"(<objects><object type="tree" s="0" t="0"><repeat s="0" length="9e9" )"
+                      R"(distance="1"/></object></objects></road>)"),
+      "a.xodr:4: repeat: has 9000000001 copies, expected at most 10000");
   EXPECT_EQ(message("<osm/>"),
             "a.xodr:1: osm: is the root, expected a map of OpenDRIVE with the root OpenDRIVE");
   EXPECT_EQ(message_of([&] {

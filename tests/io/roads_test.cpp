@@ -120,7 +120,7 @@ TEST(Roads, AOneWayLaneIsAZone) {
   EXPECT_EQ(zone.name, "lane");
   EXPECT_EQ(zone.area, (Polygon{{0, 0}, {20, 0}, {20, 4}, {0, 4}}));
   EXPECT_EQ(zone.direction, (HeadingRange{-1.5708, 1.5708}));
-  EXPECT_EQ(made.notes[0], "lanes: 1, areas: 0, one-way zones: 1");
+  EXPECT_EQ(made.notes[0], "lanes: 1, areas: 0, zones: 1");
   const Problem problem = make_problem(made.file.scenario);
   const CollisionChecker& checker = *problem.task().checker;
   const LocalPose ahead = to_local(*problem.world(), Pose{5, 2, 0});
@@ -187,7 +187,7 @@ TEST(Roads, LanesThatCrossHaveNoZoneThere) {
   const RoadScenario made = scenario_of(roads, {2, 2, 0}, {18, 2, 0});
   ASSERT_EQ(made.file.scenario.zones.size(), 1U);
   EXPECT_EQ(made.file.scenario.zones[0].area[0].x, 40);
-  EXPECT_EQ(made.notes[1], "parts of lanes without a zone, where lanes cross: 2");
+  EXPECT_EQ(made.notes[1], "parts of one-way lanes open to both directions, where lanes cross: 2");
   // Lanes that merge keep their zones, and so do lanes side by side.
   io::Lane merging{.left = {{0, 8}, {20, 4}}, .right = {{0, 5}, {20, 1}}};
   io::Lane opposite{.left = {{20, 0}, {0, 0}}, .right = {{20, 4}, {0, 4}}};
@@ -195,9 +195,57 @@ TEST(Roads, LanesThatCrossHaveNoZoneThere) {
   EXPECT_EQ(scenario_of(roads, {2, 2, 0}, {18, 2, 0}).file.scenario.zones.size(), 2U);
   roads.lanes = {lane_along(0, -4, 0), opposite};
   EXPECT_EQ(scenario_of(roads, {2, -2, 0}, {18, -2, 0}).file.scenario.zones.size(), 2U);
+  // A wedge beside a lane, with a sharp corner at its begin, does not overlap it.
+  const io::Lane wedge{.left = {{20, 4}, {0, 4}}, .right = {{20, 4}, {0, 8}}};
+  roads.lanes = {lane_along(0, 0, 4), wedge};
+  EXPECT_EQ(scenario_of(roads, {2, 2, 0}, {18, 2, 0}).file.scenario.zones.size(), 2U);
   opposite.is_one_way = false;
   roads.lanes = {lane_along(0, 0, 4), opposite};
   EXPECT_TRUE(scenario_of(roads, {2, 2, 0}, {18, 2, 0}).file.scenario.zones.empty());
+}
+
+TEST(Roads, SpeedLimitsAreZonesWithOrWithoutADirection) {
+  io::Roads roads;
+  io::Lane across{.name = "across", .left = {{8, -10}, {8, 14}}, .right = {{12, -10}, {12, 14}}};
+  across.max_speed = 30 / 3.6;
+  roads.lanes = {lane_along(0, 0, 4), across};
+  const auto zones = [&](bool both_ways) {
+    return scenario_of(roads, {2, 2, 0}, {18, 2, 0}, {.both_ways = both_ways, .open_edges = true})
+        .file.scenario.zones;
+  };
+  // Lanes that cross lose their directions, not their limits.
+  ASSERT_EQ(zones(false).size(), 1U);
+  EXPECT_EQ(zones(false)[0].name, "across");
+  EXPECT_EQ(zones(false)[0].max_speed, 8.3333);
+  EXPECT_EQ(zones(false)[0].direction, std::nullopt);
+  EXPECT_EQ(zones(true), zones(false));
+  roads.lanes = {across};
+  ASSERT_EQ(zones(false).size(), 1U);
+  EXPECT_TRUE(zones(false)[0].direction);
+  EXPECT_EQ(zones(false)[0].max_speed, 8.3333);
+}
+
+TEST(Roads, SpeedsHaveUnits) {
+  EXPECT_EQ(io::speed_from(3, "m/s"), 3);
+  EXPECT_DOUBLE_EQ(*io::speed_from(36, "km/h"), 10);
+  EXPECT_DOUBLE_EQ(*io::speed_from(100, "mph"), 44.704);
+  EXPECT_EQ(io::speed_from(3, "knots"), std::nullopt);
+  EXPECT_EQ(io::speed_from(0, "m/s"), std::nullopt);
+}
+
+TEST(Roads, WhatIsLeftOutIsAWarning) {
+  io::Roads roads;
+  roads.lanes = {lane_along(0, 0, 4)};
+  EXPECT_TRUE(scenario_of(roads, {2, 2, 0}, {18, 2, 0}).file.warnings.empty());
+  roads.left_out = {{"signal", 3}, {"lane sidewalk", 1}};
+  EXPECT_EQ(scenario_of(roads, {2, 2, 0}, {18, 2, 0}).file.warnings,
+            std::vector<std::string>{"left out: lane sidewalk (1), signal (3)"});
+}
+
+TEST(Roads, WorkWithoutEndIsRefused) {
+  io::Effort effort;
+  EXPECT_NO_THROW(effort.spend(4'000'000'000));
+  EXPECT_THROW(effort.spend(2'000'000'000), InputError);
 }
 
 TEST(Roads, RulesAreLeftOutOnRequest) {
@@ -221,6 +269,18 @@ TEST(Roads, StartAndGoalAreOnTheGround) {
                  "start: is at 30, 2, beside all lanes and areas, expected a place on one of them");
   }
   EXPECT_THROW((void)scenario_of(roads, {3, 2, 0}, {15, 5, 0}), InputError);
+  // One of a set of goals is enough, also without a corner on the ground.
+  const auto with_goals = [&](const std::vector<GoalRegion>& goals) {
+    RoadScenario result;
+    result.file.scenario.vehicle = Vehicle{2.0, 0.5, 0.5, 1.5, 4.0};
+    result.file.scenario.start = {3, 2, 0};
+    result.file.scenario.goal_set = goals;
+    io::add_roads(roads, {}, result);
+  };
+  const GoalRegion beside{.x = {10, 11}, .y = {6, 7}, .heading = any_heading};
+  const GoalRegion across{.x = {10, 11}, .y = {-1, 7}, .heading = any_heading};
+  EXPECT_THROW(with_goals({beside}), InputError);
+  EXPECT_NO_THROW(with_goals({beside, across}));
 }
 
 }  // namespace
