@@ -44,6 +44,13 @@ struct CellPatch {
   std::vector<Cell> cells = {};  ///< all cells, row by row: columns * rows of them
 };
 
+/// A rectangle of cells of a mask that limits speeds or has prices, with new contents.
+struct MaskPatch {
+  std::size_t mask = 0;                     ///< number of the mask, which has `percents`
+  CellRange range = {};                     ///< the cells
+  std::vector<std::uint8_t> percents = {};  ///< all their percentages, row by row
+};
+
 /// An obstacle that may come and go. The obstacles of the scenario are called 0, 1, ... in their
 /// order.
 struct NamedPolygon {
@@ -54,13 +61,14 @@ struct NamedPolygon {
 /// A change of the ground.
 struct WorldPatch {
   std::vector<CellPatch> cells = {};  ///< cells with new contents
+  std::vector<MaskPatch> masks = {};  ///< cells of masks with new contents
   /// New obstacles; one with a known name replaces the old one.
   std::vector<NamedPolygon> added = {};
   /// Names of obstacles that are gone; unknown names are ignored.
   std::vector<std::int64_t> removed = {};
   /// Whether the patch changes nothing.
   [[nodiscard]] bool is_empty() const noexcept {
-    return cells.empty() && added.empty() && removed.empty();
+    return cells.empty() && masks.empty() && added.empty() && removed.empty();
   }
 };
 
@@ -188,8 +196,9 @@ class Replanner {
   Replanner& operator=(Replanner&&) noexcept;
 
   /// Changes the ground from now on. Throws InputError naming "cells[0]" for cells that are not on
-  /// the map (or without a map), "cells[0].cells" for a wrong number of cells, or
-  /// "added[0].outline" for a polygon that is not simple. The ground then stays as it was.
+  /// the map (or without a map), "cells[0].cells" for a wrong number of cells, "masks[0]" for
+  /// percentages that a mask cannot have there, or "added[0].outline" for a polygon that is not
+  /// simple. The ground then stays as it was.
   void patch(const WorldPatch& patch);
 
   /// Sets all moving obstacles from now on, in the scenario's frame and with times of this

@@ -34,6 +34,7 @@ void add_lines(const std::vector<double>& turns, double first, double last, cons
 MaskCells::MaskCells(const Mask& mask) : mask_(mask) {
   for (std::size_t i = 0; i < values_.size(); ++i) {
     values_[i] = mask.base + mask.multiplier * static_cast<double>(i);
+    is_silent_[i] = i == Mask::unknown || (mask.use == MaskUse::cost ? values_[i] == 1.0 : i == 0);
   }
   box_ = speaking();
 }
@@ -47,19 +48,29 @@ std::uint8_t MaskCells::percent(std::int32_t column, std::int32_t row) const {
   return cell == Cell::unknown ? Mask::unknown : cell == Cell::occupied ? 100 : 0;
 }
 
-bool MaskCells::says_nothing(std::uint8_t percent) const {
-  if (percent == Mask::unknown) return true;
-  return mask_.use == MaskUse::cost ? values_[percent] == 1.0 : percent == 0;
-}
-
+// Looks from outside, since a checker has to be made again after each change of the mask: cells in
+// the box need not be looked at.
 MaskCells::Box MaskCells::speaking() const {
-  Box box{mask_.map.columns, mask_.map.rows, 0, 0};
-  for (std::int32_t row = 0; row < mask_.map.rows; ++row) {
-    for (std::int32_t column = 0; column < mask_.map.columns; ++column) {
-      if (says_nothing(percent(column, row))) continue;
-      box = {std::min(box.column, column), std::min(box.row, row),
-             std::max(box.end_column, column + 1), std::max(box.end_row, row + 1)};
-    }
+  const std::int32_t columns = mask_.map.columns, rows = mask_.map.rows;
+  const auto is_silent = [&](std::int32_t column, std::int32_t row) {
+    return is_silent_[percent(column, row)];
+  };
+  const auto is_silent_row = [&](std::int32_t row) {
+    std::int32_t column = 0;
+    while (column < columns && is_silent(column, row)) ++column;
+    return column == columns;
+  };
+  Box box{columns, 0, 0, rows};
+  while (box.row < rows && is_silent_row(box.row)) ++box.row;
+  if (box.row == rows) return {columns, rows, 0, 0};
+  while (is_silent_row(box.end_row - 1)) --box.end_row;
+  for (std::int32_t row = box.row; row < box.end_row; ++row) {
+    std::int32_t column = 0;
+    while (column < box.column && is_silent(column, row)) ++column;
+    box.column = column;
+    column = columns;
+    while (column > box.end_column && is_silent(column - 1, row)) --column;
+    box.end_column = column;
   }
   return box;
 }
@@ -95,7 +106,7 @@ void MaskCells::tell(const Point& place, GroundPart& part) const {
   }
   const std::uint8_t here =
       percent(static_cast<std::int32_t>(at.x), static_cast<std::int32_t>(at.y));
-  if (says_nothing(here)) return;
+  if (is_silent_[here]) return;
   if (mask_.use == MaskUse::cost) {
     part.cost *= values_[here];
   } else {

@@ -32,13 +32,13 @@ class MaskCells {
   };
 
   [[nodiscard]] std::uint8_t percent(std::int32_t column, std::int32_t row) const;
-  [[nodiscard]] bool says_nothing(std::uint8_t percent) const;
   [[nodiscard]] Box speaking() const;
   [[nodiscard]] Pose in_cells(const Pose& pose) const;
 
   Mask mask_;
-  std::array<double, 101> values_;  // Value of each percentage.
-  Box box_;                         // Box around all cells that say something.
+  std::array<double, 256> values_;   // Value of each percentage.
+  std::array<bool, 256> is_silent_;  // Whether a percentage says nothing.
+  Box box_;                          // Box around all cells that say something.
 };
 
 }  // namespace vandplan::collision

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "problem/masks.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -53,9 +54,9 @@ Polygon rectangle_of(const OccupancyGrid& map, const Block& block) {
 
 /// Checks the values of the occupancies that a mask has.
 void check_values(const Mask& mask, const std::string& where) {
-  const auto cells =
+  const auto count =
       static_cast<std::size_t>(mask.map.columns) * static_cast<std::size_t>(mask.map.rows);
-  if (mask.percents && mask.percents->size() != cells) {
+  if (mask.percents && mask.percents->size() != count) {
     throw InputError(where, "has " + std::to_string(mask.percents->size()) +
                                 " percentages, expected one for each cell of the map");
   }
@@ -65,14 +66,25 @@ void check_values(const Mask& mask, const std::string& where) {
                                                     ", expected 0.01 m or more for " +
                                                     std::string(name_of(mask.use)));
   }
-  std::array<bool, 256> has{};
-  for (std::size_t i = 0; i < cells; ++i) {
-    const Cell cell = (*mask.map.cells)[i];
-    const std::uint8_t of_cell = cell == Cell::unknown ? Mask::unknown
-                                 : cell == Cell::free  ? 0
-                                                       : 100;
-    has[mask.percents ? (*mask.percents)[i] : of_cell] = true;
+  if (mask.percents) {
+    check_percents(mask, *mask.percents, where);
+    return;
   }
+  const std::vector<Cell>& cells = *mask.map.cells;
+  const auto has = [&](Cell kind) {
+    return std::find(cells.begin(), cells.end(), kind) != cells.end();
+  };
+  const std::uint8_t of_free = 0, of_occupied = 100;
+  if (has(Cell::free)) check_percents(mask, {&of_free, 1}, where);
+  if (has(Cell::occupied)) check_percents(mask, {&of_occupied, 1}, where);
+}
+
+}  // namespace
+
+void check_percents(const Mask& mask, std::span<const std::uint8_t> percents,
+                    const std::string& where) {
+  std::array<bool, 256> has{};
+  for (const std::uint8_t percent : percents) has[percent] = true;
   for (std::size_t percent = 0; percent < Mask::unknown; ++percent) {
     if (!has[percent]) continue;
     const std::string cell = "has a cell of " + std::to_string(percent) + " %";
@@ -88,8 +100,6 @@ void check_values(const Mask& mask, const std::string& where) {
     }
   }
 }
-
-}  // namespace
 
 std::vector<Mask> local_masks(const std::vector<Mask>& masks, const Point& origin) {
   std::vector<Mask> local = masks;

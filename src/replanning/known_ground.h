@@ -35,8 +35,10 @@ class KnownGround {
  private:
   Point origin_;
   std::shared_ptr<std::vector<Cell>> cells_;  // cells of the world's map; null without a map
-  std::shared_ptr<World> world_;              // current world; only this object changes it
-  std::vector<std::int64_t> names_;           // names of the world's obstacles, in their order
+  // Percentages of each mask of the world; null for a mask without any.
+  std::vector<std::shared_ptr<std::vector<std::uint8_t>>> percents_;
+  std::shared_ptr<World> world_;     // current world; only this object changes it
+  std::vector<std::int64_t> names_;  // names of the world's obstacles, in their order
   std::int64_t version_ = 0;
 };
 

@@ -6,6 +6,7 @@
 
 #include "support/cases.h"
 #include "support/grids.h"
+#include "support/place_of_error.h"
 #include "vandplan/input_error.h"
 #include "vandplan/judge.h"
 #include "vandplan/planner.h"
@@ -120,6 +121,90 @@ TEST(KnownGround, IsAsMadeAnewAfterPatches) {
   if (!is_sanitized) {
     EXPECT_GT(found, 20);
   }
+}
+
+/// A lane with a mask of prices: percentages in a box, silence around.
+Scenario priced_lane(Rng& rng) {
+  Scenario scenario = mapped_lane(rng);
+  const std::size_t columns = 200;
+  std::vector<std::uint8_t> percents(columns * 120, 0);
+  for (std::size_t row = 40; row < 70; ++row) {
+    for (std::size_t column = 60; column < 110; ++column) {
+      percents[row * columns + column] = static_cast<std::uint8_t>(uniform(0, 101, rng));
+    }
+  }
+  Mask mask = cost_mask(*scenario.map, 3.0);
+  mask.percents = std::make_shared<const std::vector<std::uint8_t>>(std::move(percents));
+  scenario.masks = {cost_mask(*scenario.map, 0.0), mask};
+  return scenario;
+}
+
+/// Percentages somewhere, written into the second mask of a scenario: at times only silence.
+MaskPatch any_percents(Scenario& scenario, Rng& rng) {
+  const CellPatch where = any_patch(*scenario.map, rng);
+  MaskPatch patch{1, {where.column, where.row, where.columns, where.rows}, {}};
+  const double most = uniform01(rng) < 0.3 ? 0.0 : 100.0;
+  std::vector<std::uint8_t> all = *scenario.masks[1].percents;
+  for (std::int32_t y = 0; y < where.rows; ++y) {
+    for (std::int32_t x = 0; x < where.columns; ++x) {
+      const auto percent = static_cast<std::uint8_t>(uniform(0, most, rng));
+      patch.percents.push_back(percent);
+      all[static_cast<std::size_t>((where.row + y) * 200 + where.column + x)] = percent;
+    }
+  }
+  scenario.masks[1].percents = std::make_shared<const std::vector<std::uint8_t>>(std::move(all));
+  return patch;
+}
+
+TEST(KnownGround, HasThePricesOfPatchedMasks) {
+  for_each_case(3, 20, [&](Rng& rng) {
+    Scenario scenario = priced_lane(rng);
+    KnownGround ground{World(surroundings(scenario), {})};
+    for (int i = 0; i < 5; ++i) {
+      (void)planned(ground.world(), scenario);
+      const MaskPatch patch = any_percents(scenario, rng);
+      ground.patch({.masks = {patch}});
+      const auto anew = std::make_shared<const World>(surroundings(scenario), Point{});
+      const auto checker = ground.world()->checker(scenario.vehicle);
+      const auto other = anew->checker(scenario.vehicle);
+      for (int k = 0; k < 100; ++k) {
+        const State from{{uniform(-2, 42, rng), uniform(-2, 26, rng), uniform(-3, 3, rng)}};
+        const Segment segment{uniform(-0.1, 0.1, rng), uniform(-8, 8, rng)};
+        const auto parts = checker->ground_along(Local(from), segment);
+        const auto expected = other->ground_along(Local(from), segment);
+        ASSERT_EQ(parts.size(), expected.size());
+        for (std::size_t j = 0; j < parts.size(); ++j) {
+          ASSERT_EQ(parts[j].end, expected[j].end);
+          ASSERT_EQ(parts[j].cost, expected[j].cost);
+        }
+      }
+      const PlanResult result = planned(ground.world(), scenario).first;
+      const PlanResult expected = planned(anew, scenario).first;
+      ASSERT_EQ(result.path, expected.path);
+      ASSERT_EQ(result.cost, expected.cost);
+      const std::int64_t version = ground.version();
+      ground.patch({.masks = {patch}});
+      EXPECT_EQ(ground.version(), version) << "nothing new";
+    }
+  });
+}
+
+TEST(KnownGround, RefusesWhatAMaskCannotHave) {
+  Rng rng(1);
+  const Scenario scenario = priced_lane(rng);
+  KnownGround ground{World(surroundings(scenario), {})};
+  const auto place = [&](const MaskPatch& patch) {
+    return place_of_error([&] { ground.patch({.masks = {patch}}); });
+  };
+  EXPECT_EQ(place({2, {0, 0, 1, 1}, {50}}), "masks[0]") << "there are two";
+  EXPECT_EQ(place({0, {0, 0, 1, 1}, {50}}), "masks[0]") << "without percentages";
+  EXPECT_EQ(place({1, {199, 0, 2, 1}, {50, 50}}), "masks[0]") << "beyond its edge";
+  EXPECT_EQ(place({1, {0, 0, 2, 1}, {50}}), "masks[0].percents");
+  EXPECT_EQ(place({1, {0, 0, 2, 1}, {50, 101}}), "masks[0]");
+  EXPECT_EQ(ground.version(), 0);
+  ground.patch({.masks = {{1, {0, 0, 2, 1}, {50, 255}}}});
+  EXPECT_EQ(ground.version(), 1);
+  EXPECT_EQ((*scenario.masks[1].percents)[0], 0) << "a copy has changed";
 }
 
 TEST(KnownGround, LeavesTheWorldThatItBeganWithAsItIs) {
