@@ -2,7 +2,11 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "planners/registered.h"
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "path/finite.h"
 #include "planners/anytime/anytime.h"
@@ -16,6 +20,34 @@
 namespace vandplan::planning {
 namespace {
 
+constexpr double shares_of_known = 1e3;  // most places of a known path that are looked at
+constexpr double finest = 1e-3;          // least distance between them [m]
+
+/// The part of a known path between its places that are nearest to two poses, the second one behind
+/// the first.
+Path part_between(const Path& known, const LocalPose& from, const LocalPose& to) {
+  const std::vector<PathPoint> points = sampled(known, finest + length(known) / shares_of_known);
+  const auto nearest = [&](auto begin, const Pose& pose) {
+    return std::min_element(begin, points.end(), [&](const PathPoint& a, const PathPoint& b) {
+      return std::hypot(a.pose.x - pose.x, a.pose.y - pose.y) <
+             std::hypot(b.pose.x - pose.x, b.pose.y - pose.y);
+    });
+  };
+  const auto first = nearest(points.begin(), from);
+  const auto last = nearest(first, to);
+  Path part{first->pose, {}};
+  part.segments.reserve(known.segments.size());
+  double s = 0.0;
+  for (const Segment& segment : known.segments) {
+    const double whole = std::abs(segment.length);
+    const double begin = std::clamp(first->s - s, 0.0, whole);
+    const double end = std::clamp(last->s - s, 0.0, whole);
+    if (end > begin) part.segments.push_back(part_of(segment, begin, end));
+    s += whole;
+  }
+  return part;
+}
+
 /// Plans with the default planner. A known path counts only if no obstacle moves.
 PlannerAnswer plan_by_default(const Task& task, const PlanOptions& options,
                               const anytime::Given& given) {
@@ -23,9 +55,13 @@ PlannerAnswer plan_by_default(const Task& task, const PlanOptions& options,
   if (task.goal_set.empty()) return anytime::plan_anytime(task, options, given);
   const auto search_to = [&given, &task](const Task& to, const PlanOptions& round,
                                          const Path* nearby) {
-    // A whole path is no way from one via to the next.
-    const Path* const whole = task.via.empty() ? given.known : nullptr;
-    const Path* const known = nearby != nullptr ? nearby : whole;
+    const Path* known = nearby != nullptr ? nearby : given.known;
+    Path part;
+    if (known != nullptr && known == given.known && !task.via.empty()) {
+      // A whole path is no way from one via to the next.
+      part = part_between(*known, to.start, to.goal);
+      known = part.segments.empty() ? nullptr : &part;
+    }
     return anytime::drive_search(to, round, 0.0, {.known = known, .sources = given.sources});
   };
   return plan_to_set(task, options, 0.0, search_to);

@@ -53,6 +53,27 @@ TEST(WarmStart, FollowsAGoalAndAStartThatMove) {
   }
 }
 
+// Each leg begins with its part of the path, from wherever the vehicle is by now.
+TEST(WarmStart, ThePartsOfAPathLeadFromViaToVia) {
+  Problem problem = problem_of(start, goal, wall);
+  GoalRegion second = region_of_pose({20, 14, 0});
+  second.heading = any_heading;
+  const std::vector<Via> vias = {{{region_of_pose({11, 12, 0})}}, {{second}}};
+  const PlanResult first = plan(with_via(problem, vias), warm_iterations(4000));
+  ASSERT_EQ(first.status, PlanStatus::solved) << first.reason;
+  for (const double driven : {0.0, 0.5, 4.0}) {
+    const Pose now = pose_at(*first.path, driven);
+    const Problem later = with_via(problem_of(now, goal, wall), vias);
+    EXPECT_EQ(plan(later, warm_iterations(100)).status, PlanStatus::iteration_limit);
+    const PlanResult warm = plan(later, warm_started(*first.path), warm_iterations(100));
+    ASSERT_EQ(warm.status, PlanStatus::solved) << warm.reason;
+    EXPECT_LT(warm.cost, 1.2 * (first.cost - driven) + 1.0);
+  }
+  const Path standing{start, {}};
+  EXPECT_EQ(plan(with_via(problem, vias), warm_started(standing), warm_iterations(100)).status,
+            PlanStatus::iteration_limit);
+}
+
 // A path that is bent to the last has hardly a place where the curvature is 0 and it can be moved.
 TEST(WarmStart, DrivesPastWhatStandsInItsWay) {
   const Path known = known_path(Steering::reeds_shepp, 2000);
