@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <memory>
 #include <string>
 
 #include "vandplan/input_error.h"
@@ -43,6 +44,24 @@ void check(const Costmap& costmap) {
   check_map(map);
 }
 
+/// What `meaning` makes of the costs in a range, row by row.
+template <typename Meaning>
+auto translated(const Costmap& costmap, const CellRange& range, const Meaning& meaning) {
+  using Value = decltype(meaning(std::uint8_t{}));
+  std::array<Value, 256> all;
+  for (std::size_t cost = 0; cost < all.size(); ++cost) {
+    all[cost] = meaning(static_cast<std::uint8_t>(cost));
+  }
+  std::vector<Value> values(size(range.columns) * size(range.rows));
+  auto to = values.begin();
+  for (std::int32_t row = range.row; row < range.row + range.rows; ++row) {
+    const auto from = costmap.costs.subspan(size(row) * size(costmap.columns) + size(range.column),
+                                            size(range.columns));
+    to = std::transform(from.begin(), from.end(), to, [&](std::uint8_t cost) { return all[cost]; });
+  }
+  return values;
+}
+
 }  // namespace
 
 Cell cell_of(std::uint8_t cost, const CostRule& rule) noexcept {
@@ -51,27 +70,33 @@ Cell cell_of(std::uint8_t cost, const CostRule& rule) noexcept {
 }
 
 std::vector<Cell> cells_of(const Costmap& costmap, const CostRule& rule, const CellRange& range) {
-  std::array<Cell, 256> meaning;
-  for (std::size_t cost = 0; cost < meaning.size(); ++cost) {
-    meaning[cost] = cell_of(static_cast<std::uint8_t>(cost), rule);
-  }
-  std::vector<Cell> cells(size(range.columns) * size(range.rows));
-  auto to = cells.begin();
-  for (std::int32_t row = range.row; row < range.row + range.rows; ++row) {
-    const auto from = costmap.costs.subspan(size(row) * size(costmap.columns) + size(range.column),
-                                            size(range.columns));
-    to = std::transform(from.begin(), from.end(), to,
-                        [&](std::uint8_t cost) { return meaning[cost]; });
-  }
-  return cells;
+  return translated(costmap, range, [&](std::uint8_t cost) { return cell_of(cost, rule); });
 }
 
-OccupancyGrid map_of(const Costmap& costmap, const CostRule& rule) {
-  return {.origin = costmap.origin,
-          .resolution = costmap.resolution,
-          .columns = costmap.columns,
-          .rows = costmap.rows,
-          .cells = cells_of(costmap, rule, {0, 0, costmap.columns, costmap.rows})};
+std::vector<std::uint8_t> percents_of(const Costmap& costmap, const CostRule& rule,
+                                      const CellRange& range) {
+  const int highest = std::clamp(rule.lethal_cost - 1, 1, nav2_highest_cost);
+  return translated(costmap, range, [&](std::uint8_t cost) -> std::uint8_t {
+    if (cost == unknown_cost) return Mask::unknown;
+    return static_cast<std::uint8_t>((200 * std::min<int>(cost, highest) + highest) /
+                                     (2 * highest));
+  });
+}
+
+Surroundings ground_of(const Costmap& costmap, const CostRule& rule) {
+  const CellRange all{0, 0, costmap.columns, costmap.rows};
+  const OccupancyGrid map{.origin = costmap.origin,
+                          .resolution = costmap.resolution,
+                          .columns = costmap.columns,
+                          .rows = costmap.rows,
+                          .cells = cells_of(costmap, rule, all)};
+  Surroundings ground{.bounds = bounding_box(outline(map)), .map = map};
+  if (rule.cost_penalty > 0.0) {
+    Mask& mask = ground.masks.emplace_back(cost_mask(map, rule.cost_penalty));
+    mask.percents =
+        std::make_shared<const std::vector<std::uint8_t>>(percents_of(costmap, rule, all));
+  }
+  return ground;
 }
 
 void KnownCostmap::start_anew(const Costmap& costmap) {

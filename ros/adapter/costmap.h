@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "vandplan/collision.h"
 #include "vandplan/geometry.h"
 
 namespace vandplan::ros {
@@ -29,11 +30,17 @@ struct Costmap {
   Pose origin = {};
 };
 
-/// Which costs are obstacles for the body. Costs below are free: how near obstacles are is
-/// computed exactly, so inflated cells do not count.
+/// Highest graded cost in Nav2, where an obstacle is as near as it may be for one heading at least.
+inline constexpr int nav2_highest_cost = 252;
+
+/// Which costs are obstacles for the body, and how much the others cost.
 struct CostRule {
   int lethal_cost = nav2_lethal_cost;  ///< least cost of an obstacle; 1 to 254
   bool allow_unknown = true;  ///< whether unknown cells are free; ground outside the map never is
+  /// Price of a metre with the midpoint of the rear axle in a cell of the highest graded cost, on
+  /// top of its length; in proportion below, in whole percents. That cost is 252 in Nav2, or the
+  /// one below `lethal_cost`. 0 to 999; 0: costs have no price. Unknown cells never have one.
+  double cost_penalty = 2.0;
   bool operator==(const CostRule&) const = default;
 };
 
@@ -44,8 +51,12 @@ struct CostRule {
 [[nodiscard]] std::vector<Cell> cells_of(const Costmap& costmap, const CostRule& rule,
                                          const CellRange& range);
 
-/// The map of a whole costmap.
-[[nodiscard]] OccupancyGrid map_of(const Costmap& costmap, const CostRule& rule);
+/// The percentages of a mask of costs in a range of a costmap, row by row.
+[[nodiscard]] std::vector<std::uint8_t> percents_of(const Costmap& costmap, const CostRule& rule,
+                                                    const CellRange& range);
+
+/// The map of a whole costmap, and a mask of its graded costs if they have a price.
+[[nodiscard]] Surroundings ground_of(const Costmap& costmap, const CostRule& rule);
 
 /// Keeps a copy of the last costmap, and knows where it differs from the one before.
 class KnownCostmap {

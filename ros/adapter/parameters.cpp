@@ -38,6 +38,10 @@ std::vector<Parameter> own_parameters() {
         .default_value = std::int64_t{nav2_lethal_cost},
         .least = 1,
         .most = nav2_lethal_cost}},
+      number("cost_penalty",
+             "price of a metre in a cell of the highest graded cost, on top of its length; in "
+             "proportion below; 0: costs have no price",
+             CostRule{}.cost_penalty, 0.0, 999.0),
       {{.name = "goal_heading_mode",
         .summary = "headings that the goal allows: its own, also turned by half a turn, or any",
         .default_value = std::string(heading_modes.front()),
@@ -168,7 +172,8 @@ const OptionValue* Parameters::find(std::string_view name) const {
 
 CostRule Parameters::cost_rule() const {
   return {.lethal_cost = static_cast<int>(value_of<std::int64_t>(values_, "lethal_cost")),
-          .allow_unknown = value_of<bool>(values_, "allow_unknown")};
+          .allow_unknown = value_of<bool>(values_, "allow_unknown"),
+          .cost_penalty = value_of<double>(values_, "cost_penalty")};
 }
 
 Chassis Parameters::chassis() const {

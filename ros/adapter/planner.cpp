@@ -99,15 +99,15 @@ bool Planner::renew_world(const CostRule& rule, const Point& near, const std::st
     for (const CellRange& range : *changes) {
       patch.cells.push_back(
           {range.column, range.row, range.columns, range.rows, cells_of(costmap, rule, range)});
+      if (rule.cost_penalty == 0.0) continue;
+      patch.masks.push_back({.range = range, .percents = percents_of(costmap, rule, range)});
     }
     world_->patch(patch);
     return true;
   }
   world_.reset();
   rule_ = rule;
-  Surroundings ground{.map = map_of(costmap, rule)};
-  ground.bounds = bounding_box(outline(*ground.map));
-  building_ = std::async(std::launch::async, [ground = std::move(ground), near] {
+  building_ = std::async(std::launch::async, [ground = ground_of(costmap, rule), near] {
     return ChangingWorld(ground, near);
   });
   return is_built(stop);

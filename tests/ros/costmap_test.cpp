@@ -37,7 +37,9 @@ TEST(RosCostmap, AMapHasTheShapeOfItsCostmap) {
   OwnedCostmap costmap(3, 2, 0.5, {1, 2, 0.1});
   costmap.at(2, 1) = 254;
   costmap.at(0, 0) = 255;
-  const OccupancyGrid map = map_of(costmap.view(), {.allow_unknown = false});
+  const Surroundings ground = ground_of(costmap.view(), {.allow_unknown = false});
+  EXPECT_EQ(ground.bounds, bounding_box(outline(*ground.map)));
+  const OccupancyGrid& map = *ground.map;
   EXPECT_EQ(map.origin, (Pose{1, 2, 0.1}));
   EXPECT_EQ(map.resolution, 0.5);
   EXPECT_EQ(map.columns, 3);
@@ -46,6 +48,28 @@ TEST(RosCostmap, AMapHasTheShapeOfItsCostmap) {
   EXPECT_EQ(*map.cells, (std::vector{unknown, free, free, free, free, occupied}));
   EXPECT_FALSE(map.unknown_is_free) << "what is outside the map is never free";
   EXPECT_EQ(cells_of(costmap.view(), {}, {1, 1, 2, 1}), (std::vector{free, occupied}));
+}
+
+TEST(RosCostmap, GradedCostsAreAMask) {
+  OwnedCostmap costmap(8, 1, 0.5);
+  costmap.costs() = {0, 1, 2, 126, 252, 253, 254, 255};
+  const auto percents = [&](const CostRule& rule) {
+    return percents_of(costmap.view(), rule, {0, 0, 8, 1});
+  };
+  using Percents = std::vector<std::uint8_t>;
+  EXPECT_EQ(percents({}), (Percents{0, 0, 1, 50, 100, 100, 100, 255}));
+  EXPECT_EQ(percents({.lethal_cost = 253}), percents({})) << "252 is the highest in Nav2";
+  EXPECT_EQ(percents({.lethal_cost = 5}), (Percents{0, 25, 50, 100, 100, 100, 100, 255}));
+  EXPECT_EQ(percents({.lethal_cost = 1}), (Percents{0, 100, 100, 100, 100, 100, 100, 255}));
+  EXPECT_EQ(percents_of(costmap.view(), {}, {2, 0, 2, 1}), (Percents{1, 50}));
+  const Surroundings ground = ground_of(costmap.view(), {.cost_penalty = 3.0});
+  ASSERT_EQ(ground.masks.size(), 1U);
+  const Mask& mask = ground.masks.front();
+  EXPECT_EQ(mask.use, MaskUse::cost);
+  EXPECT_EQ(mask.base, 1.0);
+  EXPECT_EQ(mask.multiplier, 0.03);
+  EXPECT_EQ(*mask.percents, percents({}));
+  EXPECT_TRUE(ground_of(costmap.view(), {.cost_penalty = 0.0}).masks.empty());
 }
 
 TEST(RosCostmap, AWrongCostmapIsRefusedAndTheLastOneStays) {
@@ -146,10 +170,14 @@ std::uint8_t any_cost(Rng& rng) {
   return static_cast<std::uint8_t>(uniform(1, 254, rng));
 }
 
-/// Whether checker and judge find the same in both worlds, at any place.
+/// Whether the checker finds the same in both worlds, at any place.
 void expect_same_world(const World& patched, const World& anew, Rng& rng) {
   ASSERT_EQ(*patched.local().map->cells, *anew.local().map->cells);
   ASSERT_EQ(patched.origin(), anew.origin());
+  ASSERT_EQ(patched.local().masks.size(), anew.local().masks.size());
+  if (!anew.local().masks.empty()) {
+    ASSERT_EQ(*patched.local().masks[0].percents, *anew.local().masks[0].percents);
+  }
   const Vehicle vehicle = vehicle_of(small_robot(), {});
   const auto checker = patched.checker(vehicle);
   const auto other = anew.checker(vehicle);
@@ -160,6 +188,13 @@ void expect_same_world(const World& patched, const World& anew, Rng& rng) {
     const Segment segment{uniform(-2, 2, rng), uniform(-3, 3, rng)};
     ASSERT_EQ(checker->is_free(Local(pose), segment), other->is_free(Local(pose), segment));
     ASSERT_EQ(checker->clearance(Local(pose), 5), other->clearance(Local(pose), 5));
+    const auto parts = checker->ground_along(Local(State(pose)), segment);
+    const auto others = other->ground_along(Local(State(pose)), segment);
+    ASSERT_EQ(parts.size(), others.size());
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      ASSERT_EQ(parts[k].end, others[k].end);
+      ASSERT_EQ(parts[k].cost, others[k].cost);
+    }
     ASSERT_EQ(checker->map_distance(Local(Point{pose.x, pose.y})).least,
               other->map_distance(Local(Point{pose.x, pose.y})).least);
   }
@@ -174,16 +209,16 @@ TEST(RosCostmap, APatchedWorldIsTheOneBuiltAnew) {
                       uniform01(rng) < 0.5 ? 0.0 : uniform(-3, 3, rng)};
     OwnedCostmap costmap(columns, rows, uniform(0.02, 0.5, rng), origin);
     const Vehicle vehicle = vehicle_of(small_robot(), {});
-    CostRule rule{.allow_unknown = uniform01(rng) < 0.5};
+    CostRule rule{.allow_unknown = uniform01(rng) < 0.5,
+                  .cost_penalty = uniform01(rng) < 0.3 ? 0.0 : uniform(0, 5, rng)};
     Planner planner;
     for (int i = 0; i < 6; ++i) {
       costmap.fill(any_range(columns, rows, rng), any_cost(rng));
       if (uniform01(rng) < 0.1) rule.allow_unknown = !rule.allow_unknown;
       planner.take(costmap.view());
       ASSERT_FALSE(planner.is_blocked({}, vehicle, rule));
-      Surroundings ground{.map = map_of(costmap.view(), rule)};
-      ground.bounds = bounding_box(outline(*ground.map));
-      expect_same_world(*planner.world(), World(ground, {origin.x, origin.y}), rng);
+      const World anew(ground_of(costmap.view(), rule), {origin.x, origin.y});
+      expect_same_world(*planner.world(), anew, rng);
     }
   });
 }

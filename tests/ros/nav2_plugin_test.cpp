@@ -160,6 +160,25 @@ TEST_F(Nav2Plugin, ChangedParametersAreChecked) {
   EXPECT_TRUE(margin_is(-1.0).successful) << "nobody listens";
 }
 
+TEST_F(Nav2Plugin, GradedCostsHaveAPriceThatMayChange) {
+  configure();
+  for (unsigned int row = 95; row < 107; ++row) {
+    for (unsigned int column = 60; column < 140; ++column) costs(column, row) = 252;
+  }
+  const auto farthest = [&] {
+    planner_.cleanup();
+    double most = 0.0;
+    for (const auto& pose : plan(pose_at(3, 10), pose_at(17, 10)).poses) {
+      most = std::max(most, std::abs(pose.pose.position.y - 10));
+    }
+    return most;
+  };
+  EXPECT_GT(farthest(), 0.4);
+  EXPECT_TRUE(set("GridBased.cost_penalty", 0.0).successful);
+  EXPECT_LT(farthest(), 0.01);
+  EXPECT_FALSE(set("GridBased.cost_penalty", -1.0).successful);
+}
+
 TEST_F(Nav2Plugin, WordsAndFlagsReachTheAdapter) {
   override_with("gears", std::string("forward"));
   override_with("allow_unknown", false);

@@ -57,6 +57,7 @@ TEST(RosParameters, ValuesReachWhatTheyAreFor) {
   Parameters parameters;
   parameters.set({{"allow_unknown", false},
                   {"lethal_cost", std::int64_t{253}},
+                  {"cost_penalty", 0.5},
                   {"goal_heading_mode", std::string("BIDIRECTIONAL")},
                   {"tolerance", 0.25},
                   {"minimum_turning_radius", 1.5},
@@ -70,7 +71,7 @@ TEST(RosParameters, ValuesReachWhatTheyAreFor) {
                   {"gear_change_cost", 3.0},
                   {"time_limit", 0.5},
                   {"seed", std::int64_t{9}}});
-  EXPECT_EQ(parameters.cost_rule(), (CostRule{.lethal_cost = 253, .allow_unknown = false}));
+  EXPECT_EQ(parameters.cost_rule(), (CostRule{253, false, 0.5}));
   EXPECT_EQ(parameters.goal_heading(), GoalHeading::either_way);
   EXPECT_EQ(parameters.tolerance(), 0.25);
   const Chassis chassis = parameters.chassis();

@@ -48,8 +48,10 @@ TEST(RosPlanner, AnswersAreThoseOfTheLibrary) {
   const Request request = small_request(left, right);
   const Answer answer = answer_to(request);
   Scenario scenario{.vehicle = request.vehicle, .start = left, .goal = right};
-  scenario.map = map_of(walled_room().view(), {});
-  scenario.bounds = bounding_box(outline(*scenario.map));
+  const Surroundings ground = ground_of(walled_room().view(), {});
+  scenario.map = ground.map;
+  scenario.masks = ground.masks;
+  scenario.bounds = ground.bounds;
   const PlanResult result = vandplan::plan(scenario, request.options);
   ASSERT_EQ(answer.parts.size(), 1U);
   EXPECT_EQ(answer.parts.front(), result.path);
@@ -113,6 +115,9 @@ TEST(RosPlanner, AWrongRequestIsInvalid) {
   wrong = good;
   wrong.options.clearance.margin = -1;
   EXPECT_EQ(message(wrong), "margin");
+  wrong = good;
+  wrong.cost_rule.cost_penalty = 1000;
+  EXPECT_EQ(message(wrong), "masks[0]");
   wrong = good;
   wrong.heading = GoalHeading::any;
   wrong.rear_axle = 0.1;
@@ -284,8 +289,7 @@ TEST(RosPlanner, TheRearAxleNeedNotBeAtBaseLink) {
 TEST(RosPlanner, MarginsGearsAndPricesHold) {
   const Answer wide = answer_to(small_request(left, right, 3000, {{"margin", 0.5}}));
   ASSERT_EQ(wide.outcome, Outcome::solved) << wide.message;
-  Surroundings ground{.map = map_of(walled_room().view(), {})};
-  ground.bounds = bounding_box(outline(*ground.map));
+  const Surroundings ground = ground_of(walled_room().view(), {});
   const Request request = small_request(left, right);
   const Problem problem =
       make_problem(std::make_shared<const World>(ground, Point{}), request.vehicle, left, right);

@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "ros/yard.h"
 #include "support/process.h"
@@ -16,8 +18,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// The map of a costmap as a picture of map_server: black is occupied, white free. Rows from above.
-std::string picture_of(const Costmap& costmap) {
+/// A picture of map_server with a brightness for each cost. Rows from above.
+std::string picture_of(const Costmap& costmap, const std::function<char(std::uint8_t)>& shade) {
   std::string text =
       "P5\n" + std::to_string(costmap.columns) + " " + std::to_string(costmap.rows) + "\n255\n";
   for (std::int32_t row = costmap.rows - 1; row >= 0; --row) {
@@ -25,7 +27,7 @@ std::string picture_of(const Costmap& costmap) {
       const std::size_t index =
           static_cast<std::size_t>(row) * static_cast<std::size_t>(costmap.columns) +
           static_cast<std::size_t>(column);
-      text += costmap.costs[index] == nav2_lethal_cost ? '\0' : '\xff';
+      text += shade(costmap.costs[index]);
     }
   }
   return text;
@@ -45,7 +47,10 @@ std::vector<Segment> segments_in(const Json& path) {
 
 TEST(RosAdapter, AnswersWithTheBitsOfTheCommandLine) {
   const TemporaryFolder folder;
+  std::vector<std::uint8_t> all_costs(256);
+  std::iota(all_costs.begin(), all_costs.end(), std::uint8_t{0});
   Rng rng(23);
+  int solved = 0;
   for (int i = 0; i < 8; ++i) {
     OwnedCostmap costmap(200, 120, 0.1, {-3.25, 7.5, 0});
     for (int k = 0; k < 6; ++k) {
@@ -54,12 +59,26 @@ TEST(RosAdapter, AnswersWithTheBitsOfTheCommandLine) {
       box.row += static_cast<std::int32_t>(uniform(0, 90, rng));
       costmap.fill(box, nav2_lethal_cost);
     }
-    write_content(folder / "map.pgm", picture_of(costmap.view()));
-    write_content(folder / "map.yaml",
-                  "image: map.pgm\nresolution: 0.1\norigin: [-3.25, 7.5, 0]\nnegate: 0\n"
-                  "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+    // Graded costs around, of which the brightness of a raw picture is the percentage.
+    for (int k = 0; k < 6; ++k) {
+      costmap.fill(any_range(200, 120, rng), static_cast<std::uint8_t>(uniform(0, 253, rng)));
+    }
+    const std::vector<std::uint8_t> percents =
+        percents_of({.costs = all_costs, .columns = 256, .rows = 1}, {}, {0, 0, 256, 1});
+    write_content(folder / "map.pgm", picture_of(costmap.view(), [](std::uint8_t cost) {
+                    return cost == nav2_lethal_cost ? '\0' : '\xff';
+                  }));
+    write_content(folder / "costs.pgm", picture_of(costmap.view(), [&](std::uint8_t cost) {
+                    return static_cast<char>(percents[cost]);
+                  }));
+    const std::string shape =
+        "resolution: 0.1\norigin: [-3.25, 7.5, 0]\nnegate: 0\n"
+        "occupied_thresh: 0.65\nfree_thresh: 0.196\n";
+    write_content(folder / "map.yaml", "image: map.pgm\n" + shape);
+    write_content(folder / "costs.yaml", "image: costs.pgm\nmode: raw\n" + shape);
     write_content(folder / "yard.yaml",
-                  "name: yard\nmap: map.yaml\nstart: {x: -1.5, y: 12, heading: 0.5}\n"
+                  "name: yard\nmap: map.yaml\nmasks: [{map: costs.yaml, as: cost, of: 2}]\n"
+                  "start: {x: -1.5, y: 12, heading: 0.5}\n"
                   "goal: {x: 14.5, y: 14, heading: -1}\n"
                   "vehicle: {wheelbase: 0.5, front_overhang: 0, rear_overhang: 0.1, width: 0.4, "
                   "min_turning_radius: 0.4}\n");
@@ -72,10 +91,12 @@ TEST(RosAdapter, AnswersWithTheBitsOfTheCommandLine) {
         planner.plan(small_request({-1.5, 12, 0.5}, {14.5, 14, -1}, 1500, {{"margin", 0.05}}));
     ASSERT_EQ(outcome.status, answer.outcome == Outcome::solved ? 0 : 1) << outcome.err;
     if (outcome.status != 0) continue;
+    ++solved;
     const Json result = Json::parse(outcome.out);
     EXPECT_EQ(result.at("cost").get<double>(), answer.cost);
     EXPECT_EQ(segments_in(result.at("path")), answer.parts.front().segments);
   }
+  EXPECT_GE(solved, 4);
 }
 
 }  // namespace
