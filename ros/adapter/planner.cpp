@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "ros/adapter/goals.h"
@@ -13,11 +14,7 @@
 namespace vandplan::ros {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
+constexpr int headings_at_via = 16;  // headings that are tried at a via point with any heading
 
 /// Whether the point of a pose lies on the costmap.
 bool is_on(const Costmap& costmap, const Pose& pose) {
@@ -50,29 +47,27 @@ Path rest_of(const Path& path, const Pose& from, double step) {
   return rest;
 }
 
-/// The gear of the last segment; `any` without one.
-InitialGear last_gear(const Path& path, InitialGear before) {
-  if (path.segments.empty()) return before;
-  return path.segments.back().gear() == Gear::forward ? InitialGear::forward : InitialGear::reverse;
+/// What the path passes on its way, as poses of the rear axle, and whether the robot stands there.
+std::vector<Via> vias_of(const Request& request, bool stop) {
+  std::vector<Via> vias;
+  vias.reserve(request.viapoints.size());
+  for (const auto& [pose, any_heading] : request.viapoints) {
+    GoalRegion region = region_of_pose(any_heading ? pose : axle_pose(pose, request.rear_axle));
+    if (any_heading) region.heading = vandplan::any_heading;
+    vias.push_back({.any_of = {region}, .stop = stop});
+  }
+  return vias;
 }
 
 /// The problem from a start to goals: one pose is the goal, several or a region are a set.
-Problem problem_to(const std::shared_ptr<const World>& world, const Vehicle& vehicle,
+Problem problem_to(const std::shared_ptr<const World>& world, const Request& request,
                    const Pose& start, const std::vector<GoalRegion>& regions) {
   const GoalRegion& first = regions.front();
-  if (regions.size() > 1 || is_continuous(first)) {
-    return with_goal_set(make_problem(world, vehicle, start, start), regions);
-  }
-  return make_problem(world, vehicle, start, some_pose(first));
-}
-
-/// What the outcome of a part says of the whole path: a via point is the goal of its part.
-std::string message_of(const Request& request, std::size_t part, const PlanResult& result) {
-  std::string message = "to via point " + std::to_string(part + 1) + ": ";
-  if (part == request.viapoints.size()) message.clear();
-  message += name_of(result.status);
-  if (!result.reason.empty()) message += ": " + result.reason;
-  return message;
+  const bool is_set = regions.size() > 1 || is_continuous(first);
+  const Pose goal = is_set ? start : some_pose(first);
+  Problem problem = make_problem(world, request.vehicle, start, goal);
+  if (is_set) return with_goal_set(problem, regions);
+  return problem;
 }
 
 }  // namespace
@@ -133,72 +128,22 @@ Answer Planner::plan(const Request& request) {
 Answer Planner::planned(const Request& request) {
   // 1. Is what was asked for in order?
   if (request.goals.empty()) throw InputError("goals", "are none, expected at least one");
-  for (const Pose& pose : request.viapoints) check_poses(request.start, pose);
+  for (const ViaPoint& via : request.viapoints) check_poses(request.start, via.pose);
   for (const Pose& pose : request.goals) check_poses(request.start, pose);
   const Answer cancelled{Outcome::cancelled, "cancelled before planning"};
   if (request.stop.stop_requested()) return cancelled;
-  // 2. Do all poses lie on the costmap?
+  // 2. Can the robot be where it has to be?
   const Pose start = axle_pose(request.start, request.rear_axle);
   if (!renew_world(request.cost_rule, {start.x, start.y}, request.stop)) return cancelled;
-  const Costmap costmap = costmap_.now();
-  const auto is_off = [&](const Pose& pose) { return !is_on(costmap, pose); };
-  if (is_off(request.start)) return {Outcome::start_outside_map, "the start is off the costmap"};
-  if (std::any_of(request.viapoints.begin(), request.viapoints.end(), is_off)) {
-    return {Outcome::goal_outside_map, "a via point is off the costmap"};
-  }
-  if (std::all_of(request.goals.begin(), request.goals.end(), is_off)) {
-    return {Outcome::goal_outside_map, "the goal is off the costmap"};
-  }
-  // 3. Each part in turn, in its share of the time that is left.
+  if (const std::optional<Answer> refused = refusal(request)) return *refused;
+  // 3. The path, to the goals or beside them.
   Answer answer;
-  const auto begin = Clock::now();
-  const BudgetOptions& budget = request.options.budget;
-  std::optional<double> time = budget.time_limit;
-  if (!time && !budget.max_iterations) time = default_time_limit;
-  for (std::size_t part = 0; part <= request.viapoints.size(); ++part) {
-    PlanOptions options = request.options;
-    options.budget.stop = request.stop;
-    if (time) {
-      const auto parts_left = static_cast<double>(request.viapoints.size() + 1 - part);
-      options.budget.time_limit = std::max(0.0, *time - seconds_since(begin)) / parts_left;
-    }
-    if (!add_part(request, part, options, answer)) return answer;
-  }
-  // 4. The whole path.
-  answer.outcome = Outcome::solved;
-  answer.message.clear();
-  answer.poses = poses_of(answer.parts, costmap.resolution, request.rear_axle);
-  parts_ = answer.parts;
-  return answer;
-}
-
-bool Planner::add_part(const Request& request, std::size_t part, PlanOptions options,
-                       Answer& answer) {
-  const bool is_last = part == request.viapoints.size();
-  Pose from = axle_pose(request.start, request.rear_axle);
-  if (part > 0) {
-    from = end_pose(answer.parts.back());
-    options.cost.initial_gear = last_gear(answer.parts.back(), options.cost.initial_gear);
-  }
-  vandplan::Planner planner = default_planner();
-  if (parts_.size() == request.viapoints.size() + 1 && !parts_[part].segments.empty()) {
-    planner = warm_started(rest_of(parts_[part], from, costmap_.now().resolution));
-  }
-  const auto planned_to = [&](const std::vector<GoalRegion>& regions) {
-    return vandplan::plan(problem_to(world_->world(), request.vehicle, from, regions), planner,
-                          options);
-  };
-  Goals goals;
-  if (is_last) {
-    goals = goals_of(request);
-  } else {
-    goals.regions = {region_of_pose(axle_pose(request.viapoints[part], request.rear_axle))};
-  }
-  PlanResult result = planned_to(goals.regions);
-  answer.planning_time += result.time_total;
-  if (is_last && result.status == PlanStatus::goal_in_collision && request.slack != GoalSlack{}) {
+  Goals goals = goals_of(request);
+  PlanResult result = result_to(request, goals.regions);
+  answer.planning_time = result.time_total;
+  if (result.status == PlanStatus::goal_in_collision && request.slack != GoalSlack{}) {
     goals = goals_beside(request);
-    result = planned_to(goals.regions);
+    result = result_to(request, goals.regions);
     answer.planning_time += result.time_total;
     answer.used_slack = true;
   }
@@ -206,14 +151,70 @@ bool Planner::add_part(const Request& request, std::size_t part, PlanOptions opt
   // Whoever cancels has no use for a path.
   if (request.stop.stop_requested()) answer.outcome = Outcome::cancelled;
   if (answer.outcome != Outcome::solved) {
-    answer.message = message_of(request, part, result);
-    answer.parts.clear();
-    return false;
+    answer.message = name_of(result.status);
+    if (!result.reason.empty()) answer.message += ": " + result.reason;
+    return answer;
   }
-  answer.cost += result.cost;
-  if (is_last) answer.goal = goals.origins[result.goal ? result.goal->index : 0];
-  answer.parts.push_back(*std::move(result.path));
-  return true;
+  last_ = *result.path;
+  answer.cost = result.cost;
+  answer.goal = goals.origins[result.goal ? result.goal->index : 0];
+  answer.poses = poses_of(*result.path, costmap_.now().resolution, request.rear_axle);
+  answer.path = std::move(result.path);
+  return answer;
+}
+
+// Why there is no path, if a pose of the request says so alone; or none.
+std::optional<Answer> Planner::refusal(const Request& request) const {
+  const Costmap costmap = costmap_.now();
+  const auto is_off = [&](const Pose& pose) { return !is_on(costmap, pose); };
+  if (is_off(request.start)) {
+    return Answer{Outcome::start_outside_map, "the start is off the costmap"};
+  }
+  if (std::all_of(request.goals.begin(), request.goals.end(), is_off)) {
+    return Answer{Outcome::goal_outside_map, "the goal is off the costmap"};
+  }
+  const std::vector<Via> vias = vias_of(request, false);
+  if (vias.empty()) return std::nullopt;
+  const World& world = *world_->world();
+  const auto checker = world.checker(request.vehicle, {.wanted = request.options.clearance.margin});
+  for (std::size_t i = 0; i < vias.size(); ++i) {
+    const std::string name = "via point " + std::to_string(i + 1);
+    if (is_off(request.viapoints[i].pose)) {
+      return Answer{Outcome::goal_outside_map, name + " is off the costmap"};
+    }
+    Pose pose = some_pose(vias[i].any_of.front());
+    const int headings = request.viapoints[i].any_heading ? headings_at_via : 1;
+    int taken = 0;
+    for (; taken < headings && !checker->is_free(to_local(world, State(pose))); ++taken) {
+      pose.heading = wrap_angle(pose.heading + 2 * std::numbers::pi / headings_at_via);
+    }
+    if (taken == headings) return Answer{Outcome::goal_occupied, name + " is not free"};
+  }
+  return std::nullopt;
+}
+
+// Drives through the via points, or stands there if no such way is found.
+PlanResult Planner::result_to(const Request& request, const std::vector<GoalRegion>& goals) const {
+  const Pose start = axle_pose(request.start, request.rear_axle);
+  const Problem problem = problem_to(world_->world(), request, start, goals);
+  const vandplan::Planner planner =
+      last_.segments.empty() ? default_planner()
+                             : warm_started(rest_of(last_, start, costmap_.now().resolution));
+  PlanOptions options = request.options;
+  BudgetOptions& budget = options.budget;
+  budget.stop = request.stop;
+  if (request.viapoints.empty()) return vandplan::plan(problem, planner, options);
+  if (!budget.time_limit && !budget.max_iterations) budget.time_limit = default_time_limit;
+  if (budget.time_limit) *budget.time_limit /= 2;
+  const PlanResult through =
+      vandplan::plan(with_via(problem, vias_of(request, false)), planner, options);
+  const bool is_at_fault = through.status == PlanStatus::start_in_collision ||
+                           through.status == PlanStatus::goal_in_collision;
+  if (through.path || is_at_fault || request.stop.stop_requested()) return through;
+  PlanResult with_stops =
+      vandplan::plan(with_via(problem, vias_of(request, true)), planner, options);
+  with_stops.time_total += through.time_total;
+  return with_stops;
 }
 
 bool Planner::is_blocked(std::span<const Pose> poses, const Vehicle& vehicle,
@@ -231,7 +232,7 @@ bool Planner::is_blocked(std::span<const Pose> poses, const Vehicle& vehicle,
 void Planner::forget() {
   building_ = {};
   world_.reset();
-  parts_.clear();
+  last_ = {};
 }
 
 std::shared_ptr<const World> Planner::world() const noexcept {

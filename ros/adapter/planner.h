@@ -32,13 +32,21 @@ struct GoalSlack {
   bool operator==(const GoalSlack&) const = default;
 };
 
+/// A place on the way to the goal.
+struct ViaPoint {
+  Pose pose = {};
+  /// Whether the robot may have any heading there. Then it is the midpoint of the rear axle, not
+  /// base_link, that passes the place.
+  bool any_heading = false;
+};
+
 /// A wish for a path.
 struct Request {
   Pose start = {};
   std::vector<Pose> goals = {};  ///< the path ends at whichever is cheapest to reach
-  /// Poses that the path passes on its way, in this order. It may stand there. The limits of work
-  /// hold for each part of the path; the time limit is that of all parts together.
-  std::vector<Pose> viapoints = {};
+  /// What the path passes on its way, in this order. The robot drives through, or stands there if
+  /// no such way is found within half of the time limit or all iterations.
+  std::vector<ViaPoint> viapoints = {};
   GoalHeading heading = GoalHeading::given;
   /// The rear axle may be anywhere in this box around a goal if no goal is free.
   GoalSlack slack = {};
@@ -55,24 +63,20 @@ struct Request {
 /// Answer to a wish.
 struct Answer {
   Outcome outcome = Outcome::invalid;
-  std::string message = {};  ///< why there is no path; or empty
-  /// The path of the rear axle: one part to each via point, and the last one to the goal. Empty
-  /// without a path.
-  std::vector<Path> parts = {};
+  std::string message = {};          ///< why there is no path; or empty
+  std::optional<Path> path = {};     ///< path of the rear axle; none without a path
   std::vector<PathPose> poses = {};  ///< poses of the path, at most a cell apart
   std::size_t goal = 0;              ///< index of the goal at which the path ends
   bool used_slack = false;           ///< whether it ends beside the goal, which is not free
-  /// Cost of all parts together [m], or [s] where the cost is the time.
-  double cost = 0.0;
-  double planning_time = 0.0;  ///< time of the planner, without the judge [s]
+  double cost = 0.0;                 ///< cost of the path [m], or [s] where the cost is the time
+  double planning_time = 0.0;        ///< time of the planner, without the judge [s]
 };
 
 /// Plans again and again over a costmap that changes. Not for several threads at once.
 ///
 /// The world is kept between calls: only cells that have changed are looked at again. A new one is
 /// built in a thread of its own, for which a cancelled call does not wait. A call begins with the
-/// path of the call before, if it has as many parts. So equal calls give equal answers only after
-/// `forget`.
+/// path of the call before. So equal calls give equal answers only after `forget`.
 class Planner {
  public:
   /// Takes a costmap, by a copy of what has changed. Throws InputError as `KnownCostmap::take`.
@@ -95,7 +99,8 @@ class Planner {
 
  private:
   Answer planned(const Request& request);
-  bool add_part(const Request& request, std::size_t part, PlanOptions options, Answer& answer);
+  std::optional<Answer> refusal(const Request& request) const;
+  PlanResult result_to(const Request& request, const std::vector<GoalRegion>& goals) const;
   bool renew_world(const CostRule& rule, const Point& near, const std::stop_token& stop);
   bool is_built(const std::stop_token& stop);
 
@@ -103,7 +108,7 @@ class Planner {
   std::optional<ChangingWorld> world_;
   std::future<ChangingWorld> building_;  // valid after a call that was cancelled meanwhile
   CostRule rule_;                        // of the world's map
-  std::vector<Path> parts_;              // of the last path
+  Path last_;                            // the last path; without segments there is none
 };
 
 }  // namespace vandplan::ros

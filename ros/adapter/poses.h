@@ -3,7 +3,6 @@
 #pragma once
 // Which poses does a path consist of, as ROS writes them?
 
-#include <span>
 #include <vector>
 
 #include "vandplan/motion.h"
@@ -32,11 +31,10 @@ struct PathPose {
   bool is_cusp = false;
 };
 
-/// Poses of paths that follow each other, for a rear axle at x = `rear_axle` in the frame base_link
-/// [m]. They are at most `step` apart [m] and hold start, goal, every change of gear and curvature.
-/// Two of them are at least 0.2 mm apart, unless a whole stroke is shorter.
-[[nodiscard]] std::vector<PathPose> poses_of(std::span<const Path> paths, double step,
-                                             double rear_axle);
+/// Poses of a path, for a rear axle at x = `rear_axle` in the frame base_link [m]. They are at most
+/// `step` apart [m] and hold start, goal, every change of gear and curvature. Two of them are at
+/// least 0.2 mm apart, unless a whole stroke is shorter.
+[[nodiscard]] std::vector<PathPose> poses_of(const Path& path, double step, double rear_axle);
 
 /// A point of a trajectory, with the fields of autoware_planning_msgs/TrajectoryPoint.
 struct TrajectoryPoint {

@@ -89,11 +89,13 @@ TEST(RosCancel, AStormOfCancelsLeavesThePlannerInOrder) {
   Rng rng(17);
   Planner planner;
   OwnedCostmap room = walled_room();
+  room.fill({60, 60, 80, 60}, 100);
+  room.fill({98, 0, 4, 80}, nav2_lethal_cost);
   planner.take(room.view());
   Request request = small_request(left, right);
   request.options.budget = {.time_limit = 1000.0};
   for (int i = 0; i < cases(2000); ++i) {
-    room.at(5 + i % 50, 100) = static_cast<std::uint8_t>(i % 2 == 0 ? 254 : 0);
+    room.at(5 + i % 50, 100) = static_cast<std::uint8_t>(i % 2 == 0 ? 254 : i % 253);
     planner.take(room.view());
     const std::chrono::duration<double> after(uniform(0, 1e-3, rng));
     std::stop_source source;
@@ -102,6 +104,7 @@ TEST(RosCancel, AStormOfCancelsLeavesThePlannerInOrder) {
       source.request_stop();
     });
     request.stop = source.get_token();
+    request.viapoints.resize(i % 3 == 0 ? 1 : 0, {{5, 9, 1}, true});
     const Answer answer = planner.plan(request);
     ASSERT_EQ(answer.outcome, Outcome::cancelled) << answer.message;
   }

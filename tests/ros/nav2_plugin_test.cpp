@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cmath>
 #include <nav2_core/planner_exceptions.hpp>
+#include <numbers>
 
 #include <vandplan_nav2/planner.hpp>
 #include "ros/adapter/parameters.h"
@@ -196,7 +197,29 @@ TEST_F(Nav2Plugin, ViaPointsArePassed) {
   for (const auto& pose : path.poses) {
     nearest = std::min(nearest, std::hypot(pose.pose.position.x - 5, pose.pose.position.y - 10));
   }
-  EXPECT_LT(nearest, 1e-5);
+  EXPECT_LT(nearest, 0.1) << "poses are a cell apart";
+}
+
+TEST_F(Nav2Plugin, AViaPointWithoutAnOrientationHasAnyHeading) {
+  override_with("steering", std::string("reeds-shepp"));
+  configure();
+  const auto length_past = [&](const geometry_msgs::msg::PoseStamped& viapoint) {
+    const auto path =
+        planner_.createPlan(pose_at(4, 4, std::numbers::pi / 2),
+                            pose_at(4, 10, std::numbers::pi / 2), {viapoint}, [] { return false; });
+    double sum = 0.0;
+    for (std::size_t i = 1; i < path.poses.size(); ++i) {
+      sum += std::hypot(path.poses[i].pose.position.x - path.poses[i - 1].pose.position.x,
+                        path.poses[i].pose.position.y - path.poses[i - 1].pose.position.y);
+    }
+    return sum;
+  };
+  auto viapoint = pose_at(4, 7);
+  EXPECT_NEAR(length_past(viapoint), 6.0, 0.01) << "as a new message has it";
+  viapoint.pose.orientation.w = 0.0;
+  EXPECT_NEAR(length_past(viapoint), 6.0, 0.01) << "all zero";
+  EXPECT_GT(length_past(pose_at(4, 7, 1e-6)), 6.5) << "a heading";
+  EXPECT_GT(length_past(pose_at(4, 7, -0.5)), 6.1) << "a heading";
 }
 
 TEST_F(Nav2Plugin, ACancelledActionEndsSoon) {

@@ -53,8 +53,7 @@ TEST(RosPlanner, AnswersAreThoseOfTheLibrary) {
   scenario.masks = ground.masks;
   scenario.bounds = ground.bounds;
   const PlanResult result = vandplan::plan(scenario, request.options);
-  ASSERT_EQ(answer.parts.size(), 1U);
-  EXPECT_EQ(answer.parts.front(), result.path);
+  EXPECT_EQ(answer.path, result.path);
   EXPECT_EQ(answer.cost, result.cost);
 }
 
@@ -63,7 +62,7 @@ TEST(RosPlanner, SaysWhatIsOccupiedOrOutside) {
     const Answer answer = answer_to(small_request(start, goal, 10));
     EXPECT_NE(answer.message, "");
     EXPECT_TRUE(answer.poses.empty());
-    EXPECT_TRUE(answer.parts.empty());
+    EXPECT_FALSE(answer.path);
     return answer.outcome;
   };
   EXPECT_EQ(outcome({10, 3, 0}, right), Outcome::start_occupied);
@@ -107,7 +106,7 @@ TEST(RosPlanner, AWrongRequestIsInvalid) {
   wrong.goals.front().heading = HUGE_VAL;
   EXPECT_EQ(message(wrong), "goal.heading");
   wrong = good;
-  wrong.viapoints = {{NAN, 0, 0}};
+  wrong.viapoints = {{{NAN, 0, 0}}};
   EXPECT_EQ(message(wrong), "goal.x");
   wrong = good;
   wrong.vehicle.width = -1;
@@ -227,61 +226,11 @@ TEST(RosPlanner, SlackLiesAlongTheGoalsHeading) {
   EXPECT_EQ(goals_beside(request).regions.front().heading, any_heading);
 }
 
-TEST(RosPlanner, PassesViaPointsInTheirOrder) {
-  Request request = small_request(left, right);
-  request.viapoints = {{5, 10, 0}, {15, 10, 0}};
-  Planner planner = planner_in_room();
-  const Answer answer = planner.plan(request);
-  ASSERT_EQ(answer.outcome, Outcome::solved) << answer.message;
-  ASSERT_EQ(answer.parts.size(), 3U);
-  for (std::size_t i = 0; i < 2; ++i) {
-    const Pose end = end_pose(answer.parts[i]);
-    EXPECT_NEAR(end.x, request.viapoints[i].x, 1e-6);
-    EXPECT_NEAR(end.y, request.viapoints[i].y, 1e-6);
-    EXPECT_EQ(answer.parts[i + 1].start, end);
-  }
-  double sum = 0.0;
-  for (const Path& part : answer.parts) sum += length(part);
-  EXPECT_GT(sum, 20.0);
-  EXPECT_GE(answer.cost, sum - 1e-6) << "of all parts";
-
-  request.viapoints[1] = {10, 3, 0};
-  const Answer blocked = planner.plan(request);
-  EXPECT_EQ(blocked.outcome, Outcome::goal_occupied);
-  EXPECT_EQ(blocked.message.substr(0, 16), "to via point 2: ") << blocked.message;
-  EXPECT_TRUE(blocked.parts.empty());
-  request.viapoints[1] = {10, 30, 0};
-  EXPECT_EQ(planner.plan(request).outcome, Outcome::goal_outside_map);
-  request.viapoints[1] = {15, 10, 0};
-  request.options.budget = {.max_iterations = 0};
-  EXPECT_EQ(planner.plan(request).outcome, Outcome::solved) << "the parts of the last path";
-}
-
-TEST(RosPlanner, AViaPointThatIsPassedInReverseGoesOnSo) {
-  Request request = small_request({6, 3, 0}, {2, 3, 0}, 3000);
-  request.viapoints = {{4, 3, 0}};
-  const Answer answer = answer_to(request);
-  ASSERT_EQ(answer.outcome, Outcome::solved) << answer.message;
-  EXPECT_EQ(answer.parts[1].segments.front().gear(), Gear::reverse);
-  for (const PathPose& pose : answer.poses) EXPECT_FALSE(pose.is_cusp);
-}
-
-TEST(RosPlanner, AChangeOfGearAtAViaPointCosts) {
-  const Pose ahead{6, 3, 0}, behind{4, 3, 0};
-  const auto wish = [](const Pose& start, const Pose& goal) {
-    return small_request(start, goal, 3000, {{"gear_change_cost", 1.0}});
-  };
-  Request request = wish(ahead, ahead);
-  request.viapoints = {behind};
-  const double apart = answer_to(wish(ahead, behind)).cost + answer_to(wish(behind, ahead)).cost;
-  EXPECT_NEAR(answer_to(request).cost, apart + 1.0, 0.01);
-}
-
 TEST(RosPlanner, TheRearAxleNeedNotBeAtBaseLink) {
   const Request request = small_request(left, right, 2000, {{"rear_axle", -0.05}});
   const Answer answer = answer_to(request);
   ASSERT_EQ(answer.outcome, Outcome::solved) << answer.message;
-  EXPECT_NEAR(answer.parts.front().start.x, 2.95, 1e-12);
+  EXPECT_NEAR(answer.path->start.x, 2.95, 1e-12);
   EXPECT_NEAR(answer.poses.front().pose.x, 3, 1e-12);
   EXPECT_NEAR(answer.poses.back().pose.x, 17, 1e-5);
 }
@@ -294,7 +243,7 @@ TEST(RosPlanner, MarginsGearsAndPricesHold) {
   const Problem problem =
       make_problem(std::make_shared<const World>(ground, Point{}), request.vehicle, left, right);
   const PathClaims margin{.clearance = {.margin = 0.5}};
-  EXPECT_TRUE(check_path(problem, wide.parts.front(), margin).valid);
+  EXPECT_TRUE(check_path(problem, *wide.path, margin).valid);
   const Answer forward =
       answer_to(small_request({6, 3, 0}, {4, 3, 0}, 3000, {{"gears", std::string("forward")}}));
   ASSERT_EQ(forward.outcome, Outcome::solved) << forward.message;
@@ -311,7 +260,7 @@ TEST(RosPlanner, TheLastPathIsTheFirstOfTheNextCall) {
   ASSERT_EQ(again.outcome, Outcome::solved) << "without an iteration";
   EXPECT_LE(again.cost, first.cost * (1 + 1e-9));
   // The robot has driven half of it.
-  const Path& path = again.parts.front();
+  const Path& path = *again.path;
   const Pose half = pose_at(path, length(path) / 2);
   const Answer rest = planner.plan(small_request(half, right, 0));
   ASSERT_EQ(rest.outcome, Outcome::solved) << rest.message;

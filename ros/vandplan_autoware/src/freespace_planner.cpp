@@ -106,10 +106,10 @@ bool FreespacePlanner::hasObstacleOnTrajectory(
 autoware_planning_msgs::msg::Trajectory FreespacePlanner::trajectory(double period) const {
   autoware_planning_msgs::msg::Trajectory message;
   message.header = waypoints_.header;
-  if (answer_.parts.empty()) return message;
+  if (!answer_.path) return message;
   const double wheels = answer_.poses.front().curvature;
   for (const vandplan::ros::TrajectoryPoint& at :
-       vandplan::ros::trajectory_of(answer_.parts.front(), request_.vehicle, wheels, period)) {
+       vandplan::ros::trajectory_of(*answer_.path, request_.vehicle, wheels, period)) {
     auto& point = message.points.emplace_back();
     const double whole = std::floor(at.time_from_start);
     point.time_from_start.sec = static_cast<std::int32_t>(whole);

@@ -95,6 +95,12 @@ vandplan::ros::Robot robot_of(nav2_costmap_2d::Costmap2DROS& costmap) {
   return robot;
 }
 
+/// Whether nobody has set an orientation: it is zero, or the one that a new message has.
+bool is_unset(const geometry_msgs::msg::Quaternion& orientation) {
+  const auto& [x, y, z, w] = orientation;
+  return x == 0.0 && y == 0.0 && z == 0.0 && (w == 0.0 || w == 1.0);
+}
+
 /// Lets the planner copy what has changed of a costmap, which stands still meanwhile.
 void take_costmap(nav2_costmap_2d::Costmap2D& costmap, vandplan::ros::Planner& planner) {
   const std::lock_guard<nav2_costmap_2d::Costmap2D::mutex_t> still(*costmap.getMutex());
@@ -243,7 +249,10 @@ nav_msgs::msg::Path Planner::createPlan(
     }
     request.start = pose_of(start);
     request.goals = {pose_of(goal)};
-    for (const auto& viapoint : viapoints) request.viapoints.push_back(pose_of(viapoint));
+    request.viapoints.reserve(viapoints.size());
+    for (const auto& viapoint : viapoints) {
+      request.viapoints.push_back({pose_of(viapoint), is_unset(viapoint.pose.orientation)});
+    }
     request.stop = watch.token();
     take_costmap(*costmap_ros_->getCostmap(), planner_);
     answer = planner_.plan(request);
