@@ -8,6 +8,7 @@
 #include <iterator>
 #include <numbers>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -292,15 +293,37 @@ void paint_arrow(cairo_t* cairo, const View& view, const Bounds& box, const Head
   stroke(cairo, 1.6, colour::faint_ink, 0.9);
 }
 
+/// Name in the lower left corner of a box, if there is room for it.
+void paint_name(cairo_t* cairo, const View& view, const Bounds& box, const std::string& name) {
+  const TextStyle tag_style{.size = 10.0, .colour = colour::faint_ink};
+  const Point corner = view.on_page({box.x_min, box.y_min});
+  const double width = view.scale * (box.x_max - box.x_min);
+  if (text_width(cairo, name, tag_style) + 12.0 > width) return;
+  write_text(cairo, name, corner.x + 6.0, corner.y - 6.0, tag_style);
+}
+
 /// Areas of zones: closed ones in the colour of obstacles, others in that of kerbs.
 void paint_zones(cairo_t* cairo, const Scene& scene, const View& view) {
   for (const Zone& zone : scene.zones) {
+    const Bounds box = bounding_box(zone.area);
     add_polygon(cairo, view, zone.area);
     set_colour(cairo, zone.closed ? colour::obstacle : colour::kerb, 0.25);
     cairo_fill_preserve(cairo);
     stroke(cairo, 0.8, colour::faint_ink, 0.8);
-    if (zone.direction) paint_arrow(cairo, view, bounding_box(zone.area), *zone.direction);
+    if (zone.direction) paint_arrow(cairo, view, box, *zone.direction);
+    paint_name(cairo, view, box, zone.name);
   }
+}
+
+/// Straight last stretches before goals.
+void paint_stretches(cairo_t* cairo, const Scene& scene, const View& view) {
+  const double dashes[] = {2.0, 3.0};
+  cairo_set_dash(cairo, dashes, 2, 0.0);
+  for (const auto& line : scene.stretches) {
+    add_line(cairo, view, line);
+    stroke(cairo, 1.0, colour::goal, 0.8);
+  }
+  cairo_set_dash(cairo, nullptr, 0, 0.0);
 }
 
 }  // namespace
@@ -323,6 +346,7 @@ void paint_scene(cairo_t* cairo, const Scene& scene, const View& view) {
     cairo_pop_group_to_source(cairo);
     cairo_paint_with_alpha(cairo, 0.25);
   }
+  paint_stretches(cairo, scene, view);
   paint_polygons(cairo, scene.obstacles, colour::obstacle, view);
   paint_moving(cairo, scene, view);
   paint_tree(cairo, scene, view);

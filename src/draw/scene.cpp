@@ -217,6 +217,23 @@ void add_regions(const Vehicle& vehicle, const std::vector<GoalRegion>& regions,
   }
 }
 
+/// Lines along which paths end: `straight` metres behind and ahead of goals, as either gear may be
+/// driven.
+std::vector<std::array<Pose, 2>> stretches_of(const Vehicle& vehicle,
+                                              const std::vector<GoalRegion>& regions,
+                                              const Point& origin) {
+  std::vector<std::array<Pose, 2>> lines;
+  for (const GoalRegion& region : regions) {
+    if (region.straight == 0.0) continue;
+    for (const State& goal : goals_of(vehicle, region)) {
+      const Pose pose = moved(goal.pose, origin, "goal");
+      lines.push_back(
+          {advance(pose, {0.0, -region.straight}), advance(pose, {0.0, region.straight})});
+    }
+  }
+  return lines;
+}
+
 }  // namespace
 
 Scene scene_of(const Drawing& drawing) {
@@ -233,6 +250,7 @@ Scene scene_of(const Drawing& drawing) {
   scene.goal = moved(scenario.goal, scene.origin, "goal");
   scene.hitch_angles = scenario.hitch_angles;
   add_regions(scenario.vehicle, scenario.goal_set, scene.origin, scene.goal_areas, scene.goals);
+  scene.stretches = stretches_of(scenario.vehicle, scenario.goal_set, scene.origin);
   for (const Via& via : scenario.via) {
     add_regions(scenario.vehicle, via.any_of, scene.origin, scene.via_areas, scene.vias);
   }

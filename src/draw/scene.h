@@ -3,6 +3,7 @@
 #pragma once
 // What does a picture show, and which part of the world is visible?
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct Scene {
   std::vector<State> vias;          ///< Some poses of vias.
   std::vector<Polygon> goal_areas;  ///< Areas of a goal set where the midpoint of an axle may be.
   std::vector<State> goals;         ///< Some poses of a goal set; empty if `goal` is the only goal.
+  std::vector<std::array<Pose, 2>> stretches;  ///< Both ends of straight lines through goals.
   std::vector<Polygon> obstacles;
   std::vector<Polygon> kerbs;
   std::vector<Polygon> inside;  ///< Areas that the body must stay inside.

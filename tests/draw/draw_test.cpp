@@ -6,6 +6,7 @@
 #include <cairo.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -504,6 +505,45 @@ TEST(Draw, BadInputIsNamed) {
   EXPECT_THROW((void)draw_png({.scenario = &scenario, .path = &winding}, 300), InputError);
   EXPECT_THROW((void)draw_png({.scenario = &scenario, .caption = "\xff\xfe"}, 300), InputError);
   EXPECT_THROW((void)draw(ContactSheet{.columns = 0}, PictureFormat::png, 300), InputError);
+}
+
+TEST(Draw, ZonesAreTintedAndNamedWhereThereIsRoom) {
+  Scenario scenario = yard();
+  const auto area = [](double x, double size) {
+    return Polygon{{x, -20}, {x + size, -20}, {x + size, -12}, {x, -12}};
+  };
+  scenario.zones = {{.area = area(-20, 8), .closed = true}, {.area = area(-8, 8), .cost = 2}};
+  const auto tinted = [](const Colour& ink) {
+    const auto mixed = [](double shade) { return 0.75 + 0.25 * shade; };
+    return Colour{mixed(ink.red), mixed(ink.green), mixed(ink.blue)};
+  };
+  const Page page({.scenario = &scenario});
+  EXPECT_TRUE(looks(page.at({-15.5, -15.5}), tinted(drawing::colour::obstacle)));
+  EXPECT_TRUE(looks(page.at({-3.5, -15.5}), tinted(drawing::colour::kerb)));
+
+  const auto drawn = [&] { return draw({.scenario = &scenario}, PictureFormat::png, page_width); };
+  const std::string nameless = drawn();
+  scenario.zones[1].name = std::string(100, 'm');
+  EXPECT_EQ(drawn(), nameless);
+  scenario.zones[1].name = "ramp";
+  EXPECT_NE(drawn(), nameless);
+}
+
+TEST(Draw, StraightLastStretchesRunThroughTheGoal) {
+  Scenario scenario = yard();
+  scenario.goal_set = {{.x = {13, 13}, .y = {-7, -7}, .heading = {pi / 2, pi / 2}}};
+  scenario.obstacles.push_back(
+      {{12, -22}, {14, -22}, {14, -20}, {12, -20}});  // seen, so the line is
+  const auto darkest = [&](double from, double to) {
+    const Page page({.scenario = &scenario});
+    int least = 255;
+    for (double y = from; y < to; y += 0.02) least = std::min(least, page.at({13, y})[1]);
+    return least;
+  };
+  EXPECT_GT(darkest(-14.8, -10.2), 200);
+  scenario.goal_set[0].straight = 8;
+  EXPECT_LT(darkest(-14.8, -10.2), 180);  // behind, for a path that ends forward
+  EXPECT_LT(darkest(-0.5, 0.9), 180);     // ahead, for one that ends in reverse
 }
 
 TEST(TickStep, IsOneTwoOrFiveTimesAPowerOfTen) {
