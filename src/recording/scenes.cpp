@@ -80,6 +80,21 @@ State some_state(const Vehicle& vehicle, const GoalRegion& region) {
   return {region.is_of_trailer ? tractor_pose(vehicle, pose, angle) : pose, angle};
 }
 
+/// Area of a region, or outlines of the vehicle at its only place.
+Entity entity_of(std::string id, const Vehicle& vehicle, const GoalRegion& region,
+                 const Colour& colour) {
+  Entity entity = entity_of(std::move(id));
+  const bool is_place = region.x.least == region.x.most && region.y.least == region.y.most;
+  if (!region.area.empty()) {
+    entity.lines = {outline_of(region.area, colour)};
+  } else if (!is_place) {
+    entity.lines = {outline_of(box_of(region.x, region.y), colour)};
+  } else {
+    entity.lines = footprints_at(vehicle, some_state(vehicle, region), colour);
+  }
+  return entity;
+}
+
 void add_goals(SceneChange& scene, const Scenario& scenario) {
   const Vehicle& vehicle = scenario.vehicle;
   if (scenario.goal_set.empty()) {
@@ -87,15 +102,15 @@ void add_goals(SceneChange& scene, const Scenario& scenario) {
     goal.lines = footprints_at(vehicle, {scenario.goal, scenario.hitch_angles.goal}, pink);
   }
   for (std::size_t i = 0; i < scenario.goal_set.size(); ++i) {
-    const GoalRegion& region = scenario.goal_set[i];
-    Entity& goal = scene.entities.emplace_back(entity_of(fmt::format("goal.any_of[{}]", i)));
-    const bool is_place = region.x.least == region.x.most && region.y.least == region.y.most;
-    if (!region.area.empty()) {
-      goal.lines = {outline_of(region.area, pink)};
-    } else if (!is_place) {
-      goal.lines = {outline_of(box_of(region.x, region.y), pink)};
-    } else {
-      goal.lines = footprints_at(vehicle, some_state(vehicle, region), pink);
+    scene.entities.push_back(
+        entity_of(fmt::format("goal.any_of[{}]", i), vehicle, scenario.goal_set[i], pink));
+  }
+  for (std::size_t i = 0; i < scenario.via.size(); ++i) {
+    const std::vector<GoalRegion>& any_of = scenario.via[i].any_of;
+    for (std::size_t k = 0; k < any_of.size(); ++k) {
+      const std::string entry = any_of.size() > 1 ? fmt::format(".any_of[{}]", k) : "";
+      scene.entities.push_back(
+          entity_of(fmt::format("via[{}]{}", i, entry), vehicle, any_of[k], yellow));
     }
   }
 }
@@ -108,11 +123,16 @@ struct Walls {
   Colour colour;
 };
 
+/// Whether the polygon with this number, of a key of the scenario, is hit.
+bool is_hit(const std::optional<Hit>& hit, std::string_view key, std::size_t i) {
+  return hit && name_of(hit->kind) == key && hit->index == i;
+}
+
 void add_walls(SceneChange& scene, const Walls& walls, const std::optional<Hit>& hit) {
   for (std::size_t i = 0; i < walls.polygons.size(); ++i) {
-    const bool is_hit = hit && name_of(hit->kind) == walls.key && hit->index == i;
     Entity& entity = scene.entities.emplace_back(entity_of(fmt::format("{}[{}]", walls.key, i)));
-    entity.triangles = {prism_of(walls.polygons[i], walls.height, is_hit ? red : walls.colour)};
+    entity.triangles = {
+        prism_of(walls.polygons[i], walls.height, is_hit(hit, walls.key, i) ? red : walls.colour)};
   }
 }
 
@@ -165,6 +185,12 @@ Scenario moved_to(const Scenario& scenario, const Point& origin) {
   moved.start = shifted(moved.start, origin);
   moved.goal = shifted(moved.goal, origin);
   for (GoalRegion& region : moved.goal_set) shift(region, origin);
+  for (Via& via : moved.via) {
+    for (GoalRegion& region : via.any_of) shift(region, origin);
+  }
+  for (Zone& zone : moved.zones) {
+    for (Point& corner : zone.area) corner = shifted(corner, origin);
+  }
   for (auto* polygons : {&moved.obstacles, &moved.kerbs, &moved.inside}) shift(*polygons, origin);
   if (moved.map) moved.map->origin = shifted(moved.map->origin, origin);
   for (MovingObstacle& obstacle : moved.moving) {
@@ -181,6 +207,12 @@ SceneChange ground_scene(const Scenario& scenario, const std::optional<Hit>& hit
   for (std::size_t i = 0; i < scenario.inside.size(); ++i) {
     Entity& area = scene.entities.emplace_back(entity_of(fmt::format("inside[{}]", i)));
     area.lines = {outline_of(scenario.inside[i], grey)};
+  }
+  for (std::size_t i = 0; i < scenario.zones.size(); ++i) {
+    const Zone& zone = scenario.zones[i];
+    Entity& area = scene.entities.emplace_back(entity_of(fmt::format("zones[{}]", i)));
+    const Colour& colour = zone.closed ? grey : sand;
+    area.lines = {outline_of(zone.area, is_hit(hit, "zones", i) ? red : colour)};
   }
   add_walls(scene, {"obstacles", scenario.obstacles, obstacle_height, grey}, hit);
   add_walls(scene, {"kerbs", scenario.kerbs, kerb_height, sand}, hit);

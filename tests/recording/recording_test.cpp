@@ -301,6 +301,23 @@ TEST_F(RecordingTest, ATreeAndASetOfGoalsAreShown) {
   EXPECT_EQ(all.entity("/ground", "goal.any_of[1]").at("lines").at(0).at("points").size(), 4U);
 }
 
+TEST_F(RecordingTest, ViasAndZonesAreShownWhereTheyAre) {
+  const Point far{674'000, 6'580'000};
+  const auto at = [&](double x, double y) { return Point{far.x + x, far.y + y}; };
+  scenario_.start = {far.x, far.y, 0};
+  scenario_.goal = {far.x + 20, far.y, 0};
+  scenario_.bounds = {far.x - 50, far.x + 50, far.y - 50, far.y + 50};
+  scenario_.obstacles.clear();
+  scenario_.zones = {{.area = {at(-9, -9), at(-5, -9), at(-5, -6)}, .closed = true}};
+  const GoalRegion place = region_of_pose({far.x + 5, far.y + 3, 0});
+  scenario_.via = {{.any_of = {place}}, {.any_of = {place, place}}};
+  const Recorded all = recorded({.scenario = &scenario_});
+  const Json corner = all.entity("/ground", "zones[0]").at("lines").at(0).at("points").at(0);
+  EXPECT_EQ(corner.at("x"), -9);
+  EXPECT_EQ(all.entity("/ground", "via[0]").at("lines").at(0).at("pose").at("position").at("x"), 5);
+  EXPECT_FALSE(all.entity("/ground", "via[1].any_of[1]").is_null());
+}
+
 TEST_F(RecordingTest, NamesThatAreNoUtf8BecomeValidJson) {
   PlanResult plan;
   plan.status = PlanStatus::rejected;
