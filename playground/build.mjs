@@ -29,6 +29,8 @@ function catalogue() {
   const scenarios = ['docks', 'street', 'dead-end', 'container-stacks', 'bus-depot', 'ferry-lane'].map((name) => ({
     group: 'Yards by the Vändplan authors (BSD-3-Clause)', label: titled(name), name: `${name}.yaml`, text: readFileSync(join(here, 'yards', `${name}.yaml`), 'utf8'),
   }));
+  const depot = readFileSync(join(root, 'examples/depot.yaml'), 'utf8');
+  scenarios.push({group: scenarios[0].group, label: 'Depot', name: 'depot.yaml', text: depot});
   const shared = [['thesis', 'Thesis', 'Scenarios of the thesis'], ['trailer', 'Trailer', 'With a trailer'], ['moving', 'Moving', 'Among what moves']];
   for (const [folder, label, group] of shared) {
     for (const file of filesOf(`scenarios/${folder}`)) {

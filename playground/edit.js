@@ -5,17 +5,20 @@
 
 import {contains, distance, fromSide, outlines} from './geometry.js';
 import {turnHandle} from './paint.js';
-import {centreAt, copyOf, moveItem, polygonAt, removeItem, turnItem} from './scene.js';
+import {areaOf, entriesOf, poseOf} from './places.js';
+import {centreAt, copyOf, isGround, moveItem, polygonAt, removeItem, turnItem} from './scene.js';
 
 const sameItem = (a, b) => a && b && a.kind === b.kind && a.index === b.index;
 
 /** All that can be selected, in the order of the key N. */
 const itemsOf = (scene) => [
   {kind: 'goal'},
+  ...(scene.goal.any_of ?? []).map((_, index) => ({kind: 'goal', index})),
   {kind: 'start'},
-  ...scene.obstacles.map((_, index) => ({kind: 'obstacles', index})),
-  ...scene.kerbs.map((_, index) => ({kind: 'kerbs', index})),
+  ...['via', 'obstacles', 'kerbs', 'zones'].flatMap((kind) => scene[kind].map((_, index) => ({kind, index}))),
 ];
+
+const changeOf = (item) => (isGround(item) ? 'ground' : 'ends');
 
 export class Editor {
   selected = null;
@@ -46,7 +49,10 @@ export class Editor {
     this.page.drawn();
   }
 
-  /** What lies under a point of the page: {kind: 'turn' | 'corner' | 'move' | 'pan', item, corner}. */
+  /**
+   * What lies under a point of the page: {kind: 'turn' | 'corner' | 'move' | 'pan', item, corner, tapped}. Whoever taps
+   * it, and drags nothing, selects `tapped`: a zone, on which the ground can be dragged, or one of several goals.
+   */
   #hit(point, reach) {
     const {scene, view} = this.page;
     const turnable = [this.selected, {kind: 'goal'}, {kind: 'start'}].filter(Boolean);
@@ -67,15 +73,30 @@ export class Editor {
     const near = (polygon) =>
       contains(polygon, place) || polygon.some((corner, i) => fromSide(place, corner, polygon[(i + 1) % polygon.length]) < reach / 2);
     const polygon = this.selected && polygonAt(scene, this.selected);
-    if (polygon && near(polygon)) return {kind: 'move', item: this.selected};
-    for (const kind of ['goal', 'start']) {
-      if (outlines(scene.vehicle, scene[kind]).some(near)) return {kind: 'move', item: {kind}};
-    }
+    const own = polygon && near(polygon) ? {kind: 'move', item: this.selected} : null;
+    if (own && this.selected.kind !== 'zones') return own; // what stands in a zone lies above it
+    const isThere = (entry) => [...outlines(scene.vehicle, poseOf(scene.vehicle, entry)), areaOf(entry) ?? []].some(near);
+    const dock = entriesOf(scene.goal).findIndex(isThere);
+    if (dock >= 0) return this.#goal(dock);
+    if (isThere(scene.start)) return {kind: 'move', item: {kind: 'start'}};
+    const via = scene.via.findIndex((one) => entriesOf(one).some(isThere));
+    if (via >= 0) return {kind: 'move', item: {kind: 'via', index: via}};
     for (const kind of ['obstacles', 'kerbs']) {
       const index = scene[kind].findLastIndex(near);
       if (index >= 0) return {kind: 'move', item: {kind, index}};
     }
-    return {kind: 'pan', item: null};
+    if (own) return own;
+    const zone = scene.zones.findLastIndex(({area}) => near(area));
+    return {kind: 'pan', item: null, tapped: zone >= 0 ? {kind: 'zones', index: zone} : null};
+  }
+
+  /** Goals are dragged together, until one of them has been tapped. */
+  #goal(index) {
+    if (!this.page.scene.goal.any_of) return {kind: 'move', item: {kind: 'goal'}};
+    const {kind, index: chosen} = this.selected ?? {};
+    if (kind !== 'goal') return {kind: 'move', item: {kind: 'goal'}};
+    const one = {kind: 'goal', index};
+    return chosen === undefined ? {kind: 'move', item: {kind: 'goal'}, tapped: one} : {kind: 'move', item: one};
   }
 
   #point(event) {
@@ -145,7 +166,7 @@ export class Editor {
     if (drag.kind === 'move') moveItem(scene, drag.item, drag.before, x - x0, y - y0, this.page.snap());
     else if (drag.kind === 'corner') this.#dragCorner(drag, [x, y]);
     else this.#turn(drag, [x, y], [x0, y0]);
-    this.page.changed(drag.item.index === undefined ? 'ends' : 'ground');
+    this.page.changed(changeOf(drag.item));
   }
 
   #dragCorner({item, corner}, [x, y]) {
@@ -163,7 +184,9 @@ export class Editor {
     this.#pointers.delete(event.pointerId);
     if (this.#pointers.size < 2) this.#pinch = null;
     if (!this.#pointers.size) {
+      const tapped = this.#drag?.moved === false ? this.#drag.tapped : null;
       this.#drag = null;
+      if (tapped) this.select(tapped);
       this.page.drawn();
     }
   }
@@ -179,14 +202,14 @@ export class Editor {
     const {scene, history} = this.page;
     history.remember(scene);
     change(copyOf(scene));
-    this.page.changed(item.index === undefined ? 'ends' : 'ground');
+    this.page.changed(changeOf(item));
   }
 
   remove() {
     const item = this.selected;
     if (item?.index === undefined) return;
     this.#change(item, () => removeItem(this.page.scene, item));
-    this.select(null);
+    this.select(item.kind === 'goal' ? {kind: 'goal'} : null);
   }
 
   next(back) {

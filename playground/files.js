@@ -7,7 +7,7 @@ import {JSON_SCHEMA, dump, load} from 'js-yaml';
 
 import {boxOf, mapCorners} from './geometry.js';
 import {most, ReadError, scenesOf} from './reading.js';
-import {goalOf} from './scene.js';
+import {goalsOf} from './scene.js';
 
 /** The value of a YAML text; nothing in it is ever run. */
 export function parsed(text, name) {
@@ -26,20 +26,24 @@ export const scenesFrom = (text, name, map) => scenesOf(parsed(text, name), map)
 
 /** What a scenario file says of a scene, as plain keys. */
 function documentOf(scene) {
-  const {name, description, vehicle, bounds, start, obstacles, kerbs, inside, moving, map, options} = scene;
+  const {name, description, vehicle, bounds, start, obstacles, kerbs, inside, zones, moving, map, options, origin} = scene;
+  const {goal, via} = goalsOf(scene);
   return {
     name,
     ...(description ? {description} : {}),
     vehicle,
     bounds,
     start,
-    goal: goalOf(scene),
+    ...(via.length ? {via} : {}),
+    goal,
     ...(obstacles.length || !map ? {obstacles} : {}),
     ...(kerbs.length ? {kerbs} : {}),
     ...(inside.length ? {inside} : {}),
+    ...(zones.length ? {zones} : {}),
     ...(moving.length ? {moving} : {}),
     ...(map ? {map: map.name, ...(map.grid.unknown === 'free' ? {unknown: 'free'} : {})} : {}),
     ...(Object.keys(options ?? {}).length ? {options} : {}),
+    ...(origin ? {origin} : {}),
   };
 }
 
@@ -169,7 +173,7 @@ export function sceneOnMap(map, vehicle, isFree) {
   const {grid} = map;
   const free = [];
   const step = Math.max(1, Math.round(2 / grid.resolution));
-  const scene = {name: map.name, description: '', vehicle, bounds: map.bounds, obstacles: [], kerbs: [], inside: [], moving: [], map, options: {}};
+  const scene = {name: map.name, description: '', vehicle, bounds: map.bounds, obstacles: [], kerbs: [], inside: [], via: [], zones: [], moving: [], map, options: {}};
   for (let row = 0; row < grid.rows; row += step) {
     for (let column = 0; column < grid.columns; column += step) {
       if (grid.cells[row * grid.columns + column] === 0) free.push([column, row]);

@@ -109,7 +109,7 @@ export function boxOf(points) {
 
 /** The corners of what is hit, of which the planner says what and where it is; null if it is not in the scene. */
 export function hitCorners(scene, {what, index, cell}) {
-  if (index !== undefined) return scene[what][index] ?? null;
+  if (index !== undefined) return (what === 'zones' ? scene.zones[index]?.area : scene[what]?.[index]) ?? null;
   if (what === 'bounds') {
     const {x, y} = scene.bounds;
     return [[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]]];

@@ -6,6 +6,7 @@
 import {scenarios, vehicles} from 'catalogue';
 import {load} from 'vandplan';
 
+import {listenToChosen} from './chosen.js';
 import {explain} from './explain.js';
 import {linkOf, mapFrom, parsed, sceneFromLink, sceneOnMap, scenesFrom, yamlOf} from './files.js';
 import {Page} from './page.js';
@@ -125,7 +126,7 @@ function setTheme(page, theme) {
 function listenToButtons(page) {
   const clicks = {
     play: () => page.toggleDrive(), undo: () => page.undo(), redo: () => page.redo(), fit: () => page.fit(), park: () => page.togglePark(),
-    remove: () => page.editor.remove(), 'add-wall': () => page.add('obstacles'), 'add-kerb': () => page.add('kerbs'),
+    remove: () => page.editor.remove(), 'add-wall': () => page.add('obstacles'), 'add-kerb': () => page.add('kerbs'), 'add-zone': () => page.add('zones'), 'add-dock': () => page.add('goal'), 'add-via': () => page.add('via'),
     'as-driver': () => page.style(), 'as-shortest': () => page.style(panel.shortest),
     help: () => byId('about').showModal(), 'about-close': () => byId('about').close(),
     'show-plan': () => show(page, false), 'show-how': () => show(page, true),
@@ -137,6 +138,7 @@ function listenToButtons(page) {
   };
   for (const [id, act] of Object.entries(clicks)) byId(id).addEventListener('click', act);
   panel.listen((key, value) => page.set(key, value));
+  listenToChosen((...what) => page.remake(...what));
   byId('scenario').addEventListener('change', told(({target}) => {
     if (target.value !== '') page.open(listed(Number(target.value)), {keep: true});
   }));

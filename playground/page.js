@@ -5,15 +5,16 @@
 
 import {vehicles} from 'catalogue';
 
+import {showChosen} from './chosen.js';
+import {drivenAt, parkedNote} from './driving.js';
 import {Editor} from './edit.js';
-import {wrap} from './geometry.js';
 import {paletteOf} from './paint.js';
 import * as panel from './panel.js';
 import {Parking} from './parking.js';
 import {paintPage} from './picture.js';
 import {Planning} from './planning.js';
 import {vehicle} from './reading.js';
-import {addBox, changeVehicle, History, polygonAt, sceneBox} from './scene.js';
+import {adders, changeVehicle, History, isGround, isThere, sceneBox} from './scene.js';
 import {View} from './view.js';
 
 const byId = (id) => document.getElementById(id);
@@ -30,6 +31,7 @@ export class Page {
   dirty = false; // a plan is wanted in the next frame
   drive = null; // {rows, begin}: an animated drive
   parked = null; // somebody who parks by hand
+  reached = 0; // which of several goals the last path led to
   bounds = []; // {time, bound}: what plans of this scene proved, and how long they took
   #frame = 0;
   #colours = null;
@@ -56,6 +58,7 @@ export class Page {
     if (keep && this.scene) this.history.remember(this.scene);
     this.scene = scene;
     this.known = null;
+    this.reached = 0;
     this.editor.selected = null;
     this.stopDriving();
     this.own = {...this.wanted, ...panel.settingsIn(scene.options ?? {})};
@@ -68,7 +71,6 @@ export class Page {
   /** Lets the lists say which yard and which vehicle are shown. */
   named() {
     panel.showYard(this.scene);
-    byId('turns').value = this.scene.goal.turns ?? '';
     const lengths = ({wheelbase, width, min_turning_radius: radius, outline, trailers}) => JSON.stringify([wheelbase, width, radius, outline, trailers]);
     byId('vehicle').value = Object.keys(vehicles).find((name) => lengths(vehicle(name)) === lengths(this.scene.vehicle)) ?? '';
   }
@@ -92,9 +94,9 @@ export class Page {
   measure() {
     this.view.resize();
     const wide = this.view.width > 720;
-    const box = byId('panel').getBoundingClientRect();
+    const [box, tools] = ['panel', 'tools'].map((id) => byId(id).getBoundingClientRect());
     this.view.inset = wide
-      ? {left: 10, right: this.view.width - box.left, top: 66, bottom: 70}
+      ? {left: 10, right: this.view.width - box.left, top: 66, bottom: this.view.height - tools.top + 8}
       : {left: 4, right: 4, top: 58, bottom: this.view.height - box.top};
   }
 
@@ -165,6 +167,7 @@ export class Page {
   take(result) {
     this.result = result;
     this.known = result.path ?? this.known;
+    if (result.goal) this.reached = result.goal.index;
     if (result.lower_bound > 0) this.bounds.push({time: result.time, bound: result.lower_bound});
     this.shown = result.path ? this.placesOf(result.path) : null;
     panel.showResult(result, result.path && !this.editor.dragging ? this.vandplan.hash(result.path) : '');
@@ -210,7 +213,7 @@ export class Page {
     if (!scene) return;
     this.scene = scene;
     const {selected} = this.editor;
-    if (selected?.index !== undefined && !polygonAt(scene, selected)) this.editor.selected = null;
+    if (selected && !isThere(scene, selected)) this.editor.selected = null;
     this.settle();
     this.named();
     this.changed('ground');
@@ -226,10 +229,8 @@ export class Page {
 
   add(kind) {
     this.history.remember(this.scene);
-    const {view} = this;
-    const [width, height] = kind === 'kerbs' ? [6, 3] : [10, 2];
-    const item = addBox(this.scene, kind, view.toYard(view.centre), width, height);
-    this.changed('ground');
+    const item = adders[kind](this.scene, this.view.toYard(this.view.centre));
+    this.changed(isGround(item) ? 'ground' : 'ends');
     this.editor.select(item);
     this.canvas.focus({preventScroll: true});
   }
@@ -238,10 +239,6 @@ export class Page {
     if (key === 'planner') {
       this.info = this.planners.get(value);
       panel.enable(this.info);
-    } else if (key === 'turns') {
-      this.history.remember(this.scene);
-      const {turns, ...pose} = this.scene.goal;
-      this.scene.goal = value ? {...pose, turns: value} : pose;
     } else if (key === 'vehicle') {
       if (!vehicles[value]) return;
       this.history.remember(this.scene);
@@ -251,6 +248,15 @@ export class Page {
       for (const all of [this.settings, this.own, this.wanted]) all[key] = value;
     }
     this.changed('ends');
+  }
+
+  /** Makes another object of the goal, or of what is selected; `begins`: undo comes back to what there was. */
+  remake(kind, made, {begins}) {
+    if (begins) this.history.remember(this.scene);
+    const {index} = kind === 'goal' ? {} : this.editor.selected;
+    if (index === undefined) this.scene.goal = made(this.scene.goal);
+    else this.scene[kind][index] = made(this.scene[kind][index]);
+    this.changed(isGround({kind}) ? 'ground' : 'ends');
   }
 
   /** Sets all settings but the gears; without any they are a driver's. */
@@ -267,6 +273,8 @@ export class Page {
     byId('redo').disabled = !this.history.canRedo;
     byId('remove').disabled = this.editor.selected?.index === undefined;
     byId('play').disabled = !this.result?.path;
+    byId('park').disabled = this.scene.via.length + this.scene.zones.length > 0; // nobody says there what hands may do
+    showChosen(this.scene, this.editor.selected);
   }
 
   key(key, shift) {
@@ -309,32 +317,11 @@ export class Page {
     byId('play').textContent = '\u25B6\uFE0E Drive';
   }
 
-  /** Where the driven truck is; a yard's drive is shown four times as fast as it is. */
+  /** Where the driven truck is. */
   driven(time) {
-    const {rows, begin} = this.drive;
-    const t = (4 * Math.max(0, time - begin)) / 1000;
-    while (this.drive.at + 7 < rows.length && rows[this.drive.at + 7] <= t) this.drive.at += 7;
-    const at = this.drive.at;
-    if (t > rows[rows.length - 7] + 3) this.stopDriving();
-    const pose = {x: rows[at + 2], y: rows[at + 3], heading: rows[at + 4]};
-    const {trail} = this.shown;
-    if (trail) {
-      const heading = trail[3 * this.rowAt(rows[at + 1]) + 2];
-      pose.hitch_angles = [wrap(pose.heading - heading)];
-    }
-    return {pose, curvature: rows[at + 5], t: rows[at]};
-  }
-
-  /** The number of the row of the path that is shown at so many metres. */
-  rowAt(s) {
-    const {rows} = this.shown;
-    let low = 0;
-    for (let high = rows.length / 6 - 1; low < high; ) {
-      const middle = (low + high) >> 1;
-      if (rows[6 * middle] < s) low = middle + 1;
-      else high = middle;
-    }
-    return low;
+    const driven = drivenAt(this.drive, this.shown, time);
+    if (driven.isOver) this.stopDriving();
+    return driven;
   }
 
   togglePark() {
@@ -371,16 +358,7 @@ export class Page {
     this.parkedAt = time;
     this.parked.step(seconds);
     if (!this.parked.done) return;
-    const {length, reverse, gearChanges} = this.parked;
-    const own = this.result?.path ? this.result.check : null;
-    const {reverse_weight: weight, gear_change_cost: change} = this.settings;
-    const price = (metres, back, changes) => metres + (weight - 1) * back + change * changes;
-    const more = own ? price(length, reverse, gearChanges) / Math.max(1, price(own.length, own.reverse_length, own.gear_changes)) - 1 : 0;
-    const planned = own
-      ? ` The planner: ${own.length.toFixed(0)} m, gear changes: ${own.gear_changes}. Your way costs ${Math.abs(100 * more).toFixed(0)} % ${more < 0 ? 'less' : 'more'}.` : '';
-    const gap = own && this.result.lower_bound > 0 ? this.result.cost / this.result.lower_bound - 1 : null;
-    const proven = gap === null ? '' : gap < 0.0005 ? ' Its path is proven to be the best.' : ` Its path is proven to cost at most ${Math.ceil(100 * gap)} % more than the best.`;
-    panel.note(`Parked! You: ${length.toFixed(0)} m, gear changes: ${gearChanges}.${planned}${proven}`, 12);
+    panel.note(parkedNote(this.parked, this.result, this.settings), 12);
     this.stopParking();
   }
 

@@ -3,7 +3,9 @@
 
 // Draws the yard. Colours come from the style sheet, so that dark and light are decided there.
 
-import {hitCorners, mapCorners, outline, placed, trailerOutline, trailerPose} from './geometry.js';
+import {hitCorners, mapCorners, outline, outlines, placed, trailerOutline, trailerPose} from './geometry.js';
+import {posesOf} from './places.js';
+import {placeAt, polygonAt} from './scene.js';
 
 const names = ['paper', 'grid', 'ink', 'soft', 'wall', 'wall-line', 'kerb', 'kerb-line', 'accent', 'accent-ink', 'forward', 'reverse', 'body', 'glass', 'bad'];
 
@@ -321,12 +323,12 @@ export const handleGap = 26;
 
 /** Where the handle is that turns an item, in the yard. */
 export function turnHandle(view, scene, item, centre) {
-  if (item.index === undefined) {
-    const {vehicle} = scene;
-    return placed(scene[item.kind], vehicle.wheelbase + vehicle.front_overhang + handleGap / view.scale, 0);
-  }
-  const box = scene[item.kind][item.index];
-  const top = Math.max(...box.map(([, y]) => y));
+  const {vehicle} = scene;
+  const place = placeAt(scene, item);
+  const poses = place && !place.area ? posesOf(vehicle, place) : [];
+  if (poses.length === 1) return placed(poses[0], vehicle.wheelbase + vehicle.front_overhang + handleGap / view.scale, 0);
+  const points = poses.length ? poses.flatMap((pose) => outlines(vehicle, pose).flat()) : polygonAt(scene, item);
+  const top = Math.max(...points.map(([, y]) => y));
   return [centre[0], top + handleGap / view.scale];
 }
 

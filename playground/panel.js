@@ -33,7 +33,7 @@ export const duration = (seconds) =>
 const metres = (value) => (value === Infinity ? 'none near' : value === null ? '' : `${value.toFixed(value < 10 ? 2 : 1)} m`);
 
 /** A reason of the planner without the keys of scenario files. */
-const said = (reason) => reason.replace(/\bobstacles\[\d+\]/g, 'a wall').replace(/\bkerbs\[\d+\]/g, 'a kerb').replace(/\binside\[\d+\]/g, 'the yard').replace(/\bmoving\[\d+\]/g, 'what moves');
+const said = (reason) => reason.replace(/\bzones\[\d+\] \(([^)]*)\)/g, 'the zone "$1"').replace(/\bzones\[\d+\]/g, 'a zone').replace(/\bvia\[(\d+)\]/g, (_, i) => `via ${Number(i) + 1}`).replace(/\bobstacles\[\d+\]/g, 'a wall').replace(/\bkerbs\[\d+\]/g, 'a kerb').replace(/\binside\[\d+\]/g, 'the yard').replace(/\bmoving\[\d+\]/g, 'what moves');
 
 export function showResult(result, hash) {
   const status = byId('status');
@@ -58,7 +58,7 @@ export function showResult(result, hash) {
 export function showError(message) {
   const status = byId('status');
   status.className = 'bad';
-  status.textContent = message;
+  status.textContent = said(message);
   for (const dd of document.querySelectorAll('#numbers dd')) dd.textContent = '\u2013';
   byId('hash').textContent = '';
 }
@@ -139,7 +139,7 @@ export function listen(changed) {
       changed(key, Number(target.value));
     });
   }
-  for (const key of [...choices, 'planner', 'vehicle', 'turns']) {
+  for (const key of [...choices, 'planner', 'vehicle']) {
     byId(key).addEventListener('change', ({target}) => changed(key, target.value));
   }
 }

@@ -4,7 +4,7 @@
 // Parking by hand: arrow keys drive, and what was driven is compared with what the planner found.
 
 import {clamp} from './geometry.js';
-import {pointsLike} from './scene.js';
+import {isAt} from './places.js';
 
 const keys = {ArrowUp: 1, ArrowDown: -1, ArrowLeft: 1, ArrowRight: -1};
 
@@ -65,8 +65,7 @@ export class Parking {
     if (this.#gear && this.#gear !== drive) ++this.gearChanges;
     this.#gear = drive;
     this.trail.push([next.x, next.y]);
-    const off = Math.hypot(next.x - this.goal.x, next.y - this.goal.y);
-    this.done = off < 0.6 && pointsLike(this.goal, next.heading, 0.12);
+    this.done = isAt(this.vehicle, this.goal, next, 0.6, 0.12);
     return true;
   }
 }

@@ -3,8 +3,11 @@
 
 // What is on the canvas: ground, path, trucks, what is selected.
 
+import {middle, wrap} from './geometry.js';
 import * as paint from './paint.js';
-import {centreAt, polygonAt} from './scene.js';
+import {paintGoalGround, paintGoals, paintVias, paintZones} from './paint_places.js';
+import {entriesOf, poseOf, posesOf} from './places.js';
+import {centreAt, placeAt, polygonAt} from './scene.js';
 
 /** Paints all of a page; `driven` is where its truck drives just now, or null. */
 export function paintPage(page, colours, driven) {
@@ -16,6 +19,8 @@ export function paintPage(page, colours, driven) {
   view.enter(context);
   paint.paintGrid(context, view, colours);
   paint.paintBounds(context, view, scene, colours);
+  paintZones(context, view, scene.zones, colours);
+  paintGoalGround(context, view, scene, colours);
   if (scene.map) paint.paintMap(context, scene.map, colours);
   if (page.shown) paint.paintSwept(context, view, scene.vehicle, page.shown, colours, page.editor.dragging ? 3 : 1);
   paint.paintPolygons(context, view, scene, colours);
@@ -23,8 +28,10 @@ export function paintPage(page, colours, driven) {
     paint.paintFootprints(context, view, scene.vehicle, page.shown, colours, scene.vehicle.trailers ? 5 : 2.5);
     paint.paintPath(context, view, page.shown.rows, colours);
   }
+  paintGoals(context, view, scene, colours);
   if (page.result?.hit) paint.paintHit(context, view, scene, page.result.hit, colours);
   paintTrucks(page, colours, driven);
+  paintVias(context, view, scene, page.result?.via ?? [], colours);
   if (page.clean) return;
   paintSelection(page, colours);
   if (!page.moved) paintHint(page, colours);
@@ -50,10 +57,18 @@ function paintHint({context, view, scene}, colours) {
   context.restore();
 }
 
+/** How the vehicle stands at the end of a path, or at a goal. */
+function lastPose({scene, result, shown, reached}) {
+  const goals = entriesOf(scene.goal);
+  if (!result?.goal || !shown) return poseOf(scene.vehicle, goals[reached] ?? goals[0]);
+  const [heading] = shown.trail?.slice(-1) ?? [result.goal.heading];
+  return {...result.goal, hitch_angles: [wrap(result.goal.heading - heading)]};
+}
+
 function paintTrucks(page, colours, driven) {
   const {context, view, scene, result} = page;
   const bad = result?.status;
-  paint.paintTruck(context, view, scene.vehicle, result?.goal ?? scene.goal, colours, {ghost: true, bad: bad === 'goal_in_collision'});
+  paint.paintTruck(context, view, scene.vehicle, lastPose(page), colours, {ghost: true, bad: bad === 'goal_in_collision'});
   if (page.parked) {
     context.beginPath();
     page.parked.trail.forEach(([x, y], i) => (i ? context.lineTo(x, y) : context.moveTo(x, y)));
@@ -71,12 +86,12 @@ function paintTrucks(page, colours, driven) {
 function paintSelection(page, colours) {
   const {context, view, scene} = page;
   const {selected} = page.editor;
-  for (const item of [{kind: 'start'}, {kind: 'goal'}, ...(selected?.index !== undefined ? [selected] : [])]) {
+  for (const item of [{kind: 'start'}, {kind: 'goal'}, ...(selected?.index === undefined ? [] : [selected])]) {
     paint.paintHandle(context, view, paint.turnHandle(view, scene, item, centreAt(scene, item)), colours);
   }
   const polygon = selected && polygonAt(scene, selected);
-  if (selected && !polygon) {
-    const [x, y] = centreAt(scene, selected);
+  for (const pose of selected && !polygon ? posesOf(scene.vehicle, placeAt(scene, selected)) : []) {
+    const [x, y] = middle(scene.vehicle, pose);
     context.beginPath();
     context.arc(x, y, 0.75 * (scene.vehicle.wheelbase + 3), 0, 2 * Math.PI);
     context.strokeStyle = colours.accent;

@@ -5,7 +5,7 @@
 
 import {load} from 'vandplan';
 
-import {goalOf, scenarioOf} from './scene.js';
+import {goalsOf, scenarioOf} from './scene.js';
 
 /** How long a plan may take in a frame, its judge included, and to a first path where that takes longer [s]. */
 const frameBudget = 0.003;
@@ -15,10 +15,10 @@ const firstBudget = 0.01;
 const warmBudget = 0.002;
 /** How long a plan may take once nothing changes [s]. */
 const restBudgets = [0.2, 1.5];
-/** A trailer, or what moves, takes longer than a frame: all of it is left to the second thread. */
+/** A trailer, what moves, a way past something or to one of many goals takes longer than a frame: the second thread does it. */
 const longBudgets = [0.3, 1.5, 6];
 
-export const isLong = (scene) => Boolean(scene.vehicle.trailers) || scene.moving.length > 0;
+export const isLong = ({vehicle, moving, via, goal}) => Boolean(vehicle.trailers || moving.length || via.length || goal.any_of);
 const budgetsOf = (scene) => (isLong(scene) ? longBudgets : restBudgets);
 
 /** Keeps the world of the last ground, so that dragging the truck does not build it again. */
@@ -56,7 +56,7 @@ export function queryOf(scene, settings, info, time) {
   else delete options.gears;
   if (info.capabilities.includes('steering') && !scene.vehicle.trailers) options.steering = settings.steering;
   else delete options.steering;
-  return {planner: info.name, options, start: scene.start, goal: goalOf(scene), vehicle: scene.vehicle};
+  return {planner: info.name, options, start: scene.start, ...goalsOf(scene), vehicle: scene.vehicle};
 }
 
 /** Runs in the second thread: {id, version, scenario, query} in, {id, result} or {id, error} out. */
@@ -155,6 +155,8 @@ export class Planning {
 
   #send({id, step, scene, settings, info}) {
     const query = queryOf(scene, settings, info, budgetsOf(scene)[step]);
+    const isFirst = step === 0 && isLong(scene) && info.capabilities.includes('target_gap'); // it ends with the first path
+    if (isFirst) query.options = {target_gap: 1000, ...query.options};
     this.asked = {id, step, scene, settings, info};
     if (!this.#worker) return;
     this.#busy = true;

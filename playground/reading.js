@@ -16,7 +16,7 @@ const fail = (where, problem) => {
   throw new ReadError(`${where}: ${problem}`);
 };
 
-export const most = {polygons: 2000, corners: 20000, outline: 100, movers: 40, rows: 2000, text: 2e6};
+export const most = {polygons: 2000, corners: 20000, outline: 100, movers: 40, rows: 2000, goals: 500, via: 40, zones: 200, text: 2e6};
 
 function object(value, where, keys) {
   if (value === null || typeof value !== 'object' || Array.isArray(value)) fail(where, 'expected a map of keys');
@@ -42,6 +42,18 @@ function pair(value, where) {
   return value.map((one) => number(one, where));
 }
 
+function list(value, where, largest) {
+  if (!Array.isArray(value) || value.length > largest) fail(where, `expected a list of at most ${largest}`);
+  return value;
+}
+
+function flag(value, where) {
+  if (typeof value !== 'boolean') fail(where, 'expected true or false');
+  return value;
+}
+
+const numberOrPair = (value, where) => (Array.isArray(value) ? pair(value, where) : number(value, where));
+
 function pose(value, where) {
   object(value, where, ['x', 'y', 'heading', 'curvature', 'hitch_angles']);
   const read = {x: number(value.x, `${where}.x`), y: number(value.y, `${where}.y`), heading: number(value.heading, `${where}.heading`)};
@@ -64,14 +76,73 @@ function end(value, where, driven) {
   return {...tractorPose(driven, pose(value.trailer, `${where}.trailer`), hitch), hitch_angles: [hitch]};
 }
 
-/** A goal, which may turn: `turns` is 'either_way' or 'any' then. */
-function goal(value, where, driven) {
-  if (value === null || typeof value !== 'object') fail(where, 'expected a map of keys');
-  const {either_way: either, ...pose} = value;
-  if (pose.any_of || pose.area || [pose.x, pose.y, pose.heading].some(Array.isArray)) fail(where, 'is more than one place, which the page cannot show');
-  if (either !== undefined && typeof either !== 'boolean') fail(`${where}.either_way`, 'expected true or false');
-  if (pose.heading === 'any') return {...end({...pose, heading: 0}, where, driven), turns: 'any'};
-  return {...end(pose, where, driven), ...(either ? {turns: 'either_way'} : {})};
+const axleKeys = ['x', 'y', 'area', 'heading', 'either_way'];
+
+/** Where an axle may be, and which way it may point: `turns` is 'either_way' or 'any' if it may turn. */
+function axle(value, where) {
+  object(value, where, axleKeys);
+  const read = {};
+  if (value.area === undefined) Object.assign(read, {x: numberOrPair(value.x, `${where}.x`), y: numberOrPair(value.y, `${where}.y`)});
+  else if (value.x !== undefined || value.y !== undefined) fail(`${where}.area`, 'is given beside x or y');
+  else [read.area] = polygons([value.area], `${where}.area`);
+  const isAny = value.heading === 'any';
+  read.heading = isAny ? 0 : numberOrPair(value.heading, `${where}.heading`);
+  if (value.either_way !== undefined && flag(value.either_way, `${where}.either_way`)) read.turns = 'either_way';
+  return isAny ? {...read, turns: 'any'} : read;
+}
+
+function hitchAngles(value, where) {
+  if (value === 'any') return value;
+  if (!Array.isArray(value) || value.length !== 1) fail(where, 'expected a list with one angle, or any');
+  return [numberOrPair(value[0], where)];
+}
+
+/** A goal or a via that is not one of several (places.js says what it becomes). */
+function entry(value, where, driven, keys) {
+  object(value, where, [...axleKeys, 'trailer', 'hitch_angles', ...keys]);
+  const {trailer, hitch_angles: angles, curvature, straight, stop, ...own} = value;
+  if (!driven.trailers && (trailer !== undefined || angles !== undefined)) fail(where, 'the vehicle has no trailer');
+  if (trailer !== undefined && Object.keys(own).length) fail(`${where}.trailer`, 'is given beside a place of the vehicle');
+  const read = trailer === undefined ? axle(own, where) : {...axle(trailer, `${where}.trailer`), trailer: true};
+  if (driven.trailers) read.hitch_angles = hitchAngles(angles ?? [0], `${where}.hitch_angles`);
+  if (curvature !== undefined) read.curvature = number(curvature, `${where}.curvature`);
+  if (straight !== undefined) read.straight = number(straight, `${where}.straight`, 0, 1000);
+  if (stop !== undefined && flag(stop, `${where}.stop`)) read.stop = true;
+  return read;
+}
+
+/** A goal or a via: one place, or several of which one will do. `keys`: what may stand there beside a place. */
+function place(value, where, driven, keys) {
+  if (value?.any_of === undefined) return entry(value, where, driven, keys);
+  const {any_of: several, ...beside} = object(value, where, ['any_of', ...keys.filter((key) => key === 'stop')]);
+  if (!list(several, `${where}.any_of`, most.goals).length) fail(`${where}.any_of`, 'is empty');
+  const read = several.map((one, i) => entry(one, `${where}.any_of[${i}]`, driven, keys.filter((key) => key !== 'stop')));
+  return beside.stop === undefined || !flag(beside.stop, `${where}.stop`) ? {any_of: read} : {any_of: read, stop: true};
+}
+
+const zoneKeys = ['name', 'area', 'closed', 'gears', 'direction', 'cost', 'max_speed', 'body'];
+
+/** Ground with rules of its own; a zone keeps the keys of its file. */
+function zones(value) {
+  return list(value ?? [], 'zones', most.zones).map((one, i) => {
+    const where = `zones[${i}]`;
+    object(one, where, zoneKeys);
+    const [area] = polygons([one.area], `${where}.area`);
+    const read = {...one, area};
+    if (one.name !== undefined) read.name = text(one.name, `${where}.name`);
+    for (const key of ['closed', 'body']) if (one[key] !== undefined) flag(one[key], `${where}.${key}`);
+    if (one.gears !== undefined && !['both', 'forward', 'reverse'].includes(one.gears)) fail(`${where}.gears`, 'expected both, forward or reverse');
+    if (one.direction !== undefined) read.direction = pair(one.direction, `${where}.direction`);
+    if (one.cost !== undefined) number(one.cost, `${where}.cost`, 1, 1000);
+    if (one.max_speed !== undefined) number(one.max_speed, `${where}.max_speed`, 0, 1000);
+    return read;
+  });
+}
+
+function earth(value) {
+  if (value === undefined) return {};
+  object(value, 'origin', ['longitude', 'latitude']);
+  return {origin: {longitude: number(value.longitude, 'origin.longitude', -180, 180), latitude: number(value.latitude, 'origin.latitude', -90, 90)}};
 }
 
 /** What moves while the vehicle drives. */
@@ -178,7 +249,7 @@ function options(value) {
   );
 }
 
-const keys = ['name', 'description', 'vehicle', 'bounds', 'start', 'goal', 'goals', 'obstacles', 'kerbs', 'inside', 'map', 'unknown', 'moving', 'options'];
+const keys = ['name', 'description', 'vehicle', 'bounds', 'start', 'goal', 'goals', 'via', 'obstacles', 'kerbs', 'inside', 'zones', 'map', 'unknown', 'moving', 'options', 'origin'];
 
 /** The problems that a parsed scenario file states, as scenes; a row of goals has one for each. */
 export function scenesOf(document, map = null) {
@@ -194,8 +265,11 @@ export function scenesOf(document, map = null) {
     kerbs: polygons(document.kerbs, 'kerbs'),
     inside: polygons(document.inside, 'inside'),
     map: map && document.unknown === 'free' ? {...map, grid: {...map.grid, unknown: 'free'}} : map,
+    via: list(document.via ?? [], 'via', most.via).map((one, i) => place(one, `via[${i}]`, driven, ['stop'])),
+    zones: zones(document.zones),
     moving: movers(document.moving),
     options: options(document.options),
+    ...earth(document.origin),
   };
   if (document.bounds !== undefined) {
     object(document.bounds, 'bounds', ['x', 'y']);
@@ -205,7 +279,7 @@ export function scenesOf(document, map = null) {
   } else {
     fail('bounds', 'are missing');
   }
-  if (document.goals === undefined) return [{...scene, goal: goal(document.goal, 'goal', driven)}];
+  if (document.goals === undefined) return [{...scene, goal: place(document.goal, 'goal', driven, ['curvature', 'straight'])}];
   if (!Array.isArray(document.goals) || document.goals.length < 1 || document.goals.length > 200) fail('goals', 'expected a list');
   return document.goals.map((one, i) => {
     object(one, `goals[${i}]`, ['distance', 'goal', 'obstacles']);

@@ -4,97 +4,137 @@
 // What there is on the page: a scenario, and what was there before each change. `source` of a scene is its number in
 // the list of yards; one from a file or a link has none.
 
-import {boxOf, centreOf, mapCorners, middle, outlines, placed, turned, wrap} from './geometry.js';
+import {boxOf, centreOf, mapCorners, outlines, placed, turned} from './geometry.js';
+import {areaOf, centreOfPlace, entriesOf, fileOf, movedPlace, nextDock, placeFor, posesOf, turnedPlace} from './places.js';
 
 /** Everything that is drawn lies in this box. */
 export function sceneBox(scene) {
-  const points = [scene.start, scene.goal].flatMap((pose) => outlines(scene.vehicle, pose).flat());
-  for (const polygon of [...scene.obstacles, ...scene.kerbs, ...scene.inside]) points.push(...polygon);
+  const points = [];
+  for (const place of [scene.start, scene.goal, ...scene.via]) {
+    for (const pose of posesOf(scene.vehicle, place)) points.push(...outlines(scene.vehicle, pose).flat());
+    for (const entry of entriesOf(place)) points.push(...(areaOf(entry) ?? []));
+  }
+  for (const polygon of [...scene.obstacles, ...scene.kerbs, ...scene.inside, ...scene.zones.map(({area}) => area)]) points.push(...polygon);
   if (scene.map) points.push(...mapCorners(scene.map.grid));
   return boxOf(points);
 }
 
-/** The goal with the keys of a scenario file: as it is drawn, turned round as well ('either_way'), or 'any' way. */
-export function goalOf({goal: {turns, ...pose}}) {
-  if (turns === 'any') return {...pose, heading: 'any'};
-  return turns === 'either_way' ? {...pose, either_way: true} : pose;
-}
-
-/** Whether a vehicle that points somewhere points as a goal wants it, within an angle. */
-export function pointsLike({heading, turns}, other, within) {
-  const off = Math.abs(wrap(other - heading));
-  return turns === 'any' || off < within || (turns === 'either_way' && Math.PI - off < within);
-}
+/** Goal and vias, as the planner takes them. */
+export const goalsOf = ({goal, via}) => ({goal: fileOf(goal), via: via.map(fileOf)});
 
 /** What the planner gets: the keys of a scenario file. */
 export function scenarioOf(scene) {
-  const {name, vehicle, bounds, start, obstacles, kerbs, inside, moving, map} = scene;
-  return {name, vehicle, bounds, start, goal: goalOf(scene), obstacles, kerbs, ...(inside.length ? {inside} : {}), moving, ...(map ? {map: map.grid} : {})};
+  const {name, vehicle, bounds, start, obstacles, kerbs, inside, zones, moving, map} = scene;
+  return {name, vehicle, bounds, start, ...goalsOf(scene), obstacles, kerbs, ...(inside.length ? {inside} : {}), zones, moving, ...(map ? {map: map.grid} : {})};
 }
 
-/** An object of the scene by its handle: {kind: 'start' | 'goal'} or {kind: 'obstacles' | 'kerbs', index}. */
-export const polygonAt = (scene, {kind, index}) => (index === undefined ? null : scene[kind][index]);
+// ---- objects, by their handles ----
+//
+// A handle is {kind: 'start' | 'goal'}, {kind: 'goal', index} for one of several goals, or
+// {kind: 'via' | 'obstacles' | 'kerbs' | 'zones', index}.
+
+/** Whether an object is ground, which the world of the planner is built of. */
+export const isGround = ({kind}) => ['obstacles', 'kerbs', 'zones'].includes(kind);
+
+/** The place of a handle, or null for ground. */
+export function placeAt(scene, {kind, index}) {
+  if (kind === 'via') return scene.via[index] ?? null;
+  if (kind === 'goal' && index !== undefined) return scene.goal.any_of?.[index] ?? null;
+  return kind === 'goal' || kind === 'start' ? scene[kind] : null;
+}
+
+function setPlace(scene, {kind, index}, place) {
+  if (index === undefined) scene[kind] = place;
+  else (kind === 'via' ? scene.via : scene.goal.any_of)[index] = place;
+}
+
+/** The polygon of a handle, whose corners can be dragged; null if it has none. */
+export function polygonAt(scene, item) {
+  if (!isGround(item)) return placeAt(scene, item)?.area ?? null;
+  const object = scene[item.kind][item.index] ?? null;
+  return item.kind === 'zones' ? (object?.area ?? null) : object;
+}
+
+export const isThere = (scene, item) => Boolean(placeAt(scene, item) ?? polygonAt(scene, item));
 
 export function centreAt(scene, item) {
-  const polygon = polygonAt(scene, item);
-  return polygon ? centreOf(polygon) : middle(scene.vehicle, scene[item.kind]);
+  const place = placeAt(scene, item);
+  return place ? centreOfPlace(scene.vehicle, place) : centreOf(polygonAt(scene, item));
 }
 
 const grid = 0.5;
 const snapped = (value) => Math.round(value / grid) * grid;
 const snapAngle = Math.PI / 24;
+const snappedAngle = (angle) => Math.round(angle / snapAngle) * snapAngle;
 
 /** Moves an item by metres from where it was in `before`, and onto the grid when `snap` is on. */
 export function moveItem(scene, item, before, dx, dy, snap) {
-  const polygon = polygonAt(before, item);
-  if (polygon) {
-    const [x, y] = polygon[0];
-    const mx = snap ? snapped(x + dx) - x : dx;
-    const my = snap ? snapped(y + dy) - y : dy;
-    scene[item.kind][item.index] = polygon.map(([px, py]) => [px + mx, py + my]);
+  const place = placeAt(before, item);
+  if (place) {
+    setPlace(scene, item, movedPlace(place, dx, dy, snap ? snapped : null));
     return;
   }
-  const pose = before[item.kind];
-  const place = [pose.x + dx, pose.y + dy].map((value) => (snap ? snapped(value) : value));
-  scene[item.kind] = {...scene[item.kind], x: place[0], y: place[1]};
+  const polygon = polygonAt(before, item);
+  const [x, y] = polygon[0];
+  const mx = snap ? snapped(x + dx) - x : dx;
+  const my = snap ? snapped(y + dy) - y : dy;
+  setPolygon(scene, item, polygon.map(([px, py]) => [px + mx, py + my]));
+}
+
+function setPolygon(scene, {kind, index}, polygon) {
+  if (kind === 'zones') scene.zones[index] = {...scene.zones[index], area: polygon};
+  else scene[kind][index] = polygon;
 }
 
 /** Turns an item by an angle from how it stood in `before`; a vehicle about the middle of its body. */
 export function turnItem(scene, item, before, angle, snap) {
-  const polygon = polygonAt(before, item);
-  if (polygon) {
-    const by = snap ? Math.round(angle / snapAngle) * snapAngle : angle;
-    scene[item.kind][item.index] = turned(polygon, by, centreOf(polygon));
+  const place = placeAt(before, item);
+  if (place) {
+    setPlace(scene, item, turnedPlace(scene.vehicle, place, angle, snap ? snappedAngle : null));
     return;
   }
-  const pose = before[item.kind];
-  const wanted = pose.heading + angle;
-  const heading = wrap(snap ? Math.round(wanted / snapAngle) * snapAngle : wanted);
-  const [cx, cy] = middle(scene.vehicle, pose);
-  const [mx, my] = middle(scene.vehicle, {x: 0, y: 0, heading});
-  scene[item.kind] = {...scene[item.kind], x: cx - mx, y: cy - my, heading};
+  const by = snap ? snappedAngle(angle) : angle;
+  const polygon = polygonAt(before, item);
+  setPolygon(scene, item, turned(polygon, by, centreOf(polygon)));
+  const {direction} = before[item.kind][item.index];
+  if (direction) scene.zones[item.index].direction = direction.map((one) => one + by);
 }
 
-export function removeItem(scene, item) {
-  if (item.index !== undefined) scene[item.kind].splice(item.index, 1);
+/** Removes an item that has an index: there is always a start and a goal. */
+export function removeItem(scene, {kind, index}) {
+  if (index === undefined) return;
+  if (kind !== 'goal') {
+    scene[kind].splice(index, 1);
+    return;
+  }
+  scene.goal.any_of.splice(index, 1);
+  if (scene.goal.any_of.length === 1) [scene.goal] = scene.goal.any_of;
 }
 
-/** Adds a box of metres around a place; returns its handle. */
-export function addBox(scene, kind, [x, y], width, height) {
-  const at = {x, y, heading: 0};
-  scene[kind].push([[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([u, v]) => placed(at, (u * width) / 2, (v * height) / 2)));
-  return {kind, index: scene[kind].length - 1};
-}
+const boxAround = ([x, y], width, height) => [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([u, v]) => placed({x, y, heading: 0}, (u * width) / 2, (v * height) / 2));
+
+const added = (kind, list, one) => ({kind, index: list.push(one) - 1});
+
+/** What can be added around a place; returns its handle. */
+export const adders = {
+  obstacles: (scene, place) => added('obstacles', scene.obstacles, boxAround(place, 10, 2)),
+  kerbs: (scene, place) => added('kerbs', scene.kerbs, boxAround(place, 6, 3)),
+  zones: (scene, place) => added('zones', scene.zones, {area: boxAround(place, 14, 8), direction: [-0.6, 0.6]}),
+  via: (scene, [x, y]) => added('via', scene.via, {x, y, heading: scene.start.heading, turns: 'any', ...(scene.vehicle.trailers ? {hitch_angles: 'any'} : {})}),
+  /** One more goal, beside those that are there. */
+  goal: (scene) => {
+    const docks = entriesOf(scene.goal);
+    scene.goal = {any_of: [...docks, nextDock(scene.vehicle, docks)]};
+    return {kind: 'goal', index: docks.length};
+  },
+};
 
 /** Lets another vehicle drive; a trailer that was not there before stands straight behind it. */
 export function changeVehicle(scene, vehicle) {
   scene.vehicle = vehicle;
-  for (const kind of ['start', 'goal']) {
-    const {hitch_angles: angles = [0], ...pose} = scene[kind];
-    scene[kind] = vehicle.trailers ? {...pose, hitch_angles: angles} : pose;
-  }
+  for (const kind of ['start', 'goal']) scene[kind] = placeFor(vehicle, scene[kind]);
+  scene.via = scene.via.map((place) => placeFor(vehicle, place));
 }
-
 /** A copy that later changes leave alone; the cells of a map are shared, as nobody changes them. */
 export const copyOf = (scene) => ({...structuredClone({...scene, map: null}), map: scene.map});
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// Does WebAssembly plan the same paths as the command line, bit for bit? Nine scenarios, three planners; a trailer, and
-// somebody on foot.
+// Does WebAssembly plan the same paths as the command line, bit for bit? Nine scenarios, three planners; a trailer,
+// somebody on foot, and a depot.
 // usage: node same_answers.mjs PLAYGROUND VANDPLAN [--timing]
 
 import {execFileSync} from 'node:child_process';
@@ -70,6 +70,7 @@ function pathOf({path}, {min_turning_radius: radius}) {
 const files = readdirSync(thesis).filter((one) => one.endsWith('.yaml')).sort().map((name) => [join(thesis, name), runs]);
 files.push([join(scenarios, 'trailer/turn-round-yard.yaml'), [['anytime', 6000]]]);
 files.push([join(scenarios, 'moving/reversing-truck.yaml'), [['anytime', 100]]]);
+files.push([join(scenarios, '../examples/depot.yaml'), [['anytime', 3000]]]); // zones, a via, a set of goals
 const slim = join(work, 'slim.yaml'); // its outline makes another path than the rectangle of the same lengths would
 writeFileSync(slim, `name: slim
 vehicle:

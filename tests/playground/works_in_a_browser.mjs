@@ -9,6 +9,7 @@ import {join, resolve} from 'node:path';
 import {pathToFileURL} from 'node:url';
 
 import {Browser, pause} from './browser.mjs';
+import {takesGoalsAndZones, takesThemByTouch} from './goals_and_zones.mjs';
 
 const [playground, chromium, pictures] = process.argv.slice(2);
 const url = pathToFileURL(resolve(playground, 'index.html')).href;
@@ -189,7 +190,7 @@ const dropped = (page, name, content) => page.value(`(async () => { const data =
 async function lists(page) {
   const named = () => page.value('document.getElementById("scenario").selectedOptions[0].text');
   const ours = await page.value('[...document.querySelectorAll("#scenario optgroup")].filter((g) => g.label.includes("BSD-3-Clause")).flatMap((g) => [...g.children].map((o) => o.text))');
-  expect(['Container stacks', 'Bus depot', 'Ferry lane'].every((name) => ours.includes(name)), `our yards are ${ours}`);
+  expect(['Container stacks', 'Bus depot', 'Ferry lane', 'Depot'].every((name) => ours.includes(name)), `our yards are ${ours}`);
   for (const name of ours) {
     await choose(page, 'scenario', name);
     await found(page);
@@ -425,6 +426,7 @@ async function onADesk(browser) {
   await pulls(page);
   await opensFiles(page);
   await drawsOutlines(browser, page, size);
+  await takesGoalsAndZones(page, {expect, found, click, dropped, picture});
   await saves(page);
   await parks(page);
   await links(browser, page, size);
@@ -475,6 +477,7 @@ async function onAPhone(browser) {
   await picture(page, 'phone-panel');
   await click(page, 'more');
   await parksByTouch(page);
+  await takesThemByTouch(page, {expect, click, dropped, picture});
   await explains(page, 'phone');
   expect(page.faults.length === 0, `the page complains on a phone: ${page.faults.join('\n')}`);
 }
