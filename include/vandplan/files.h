@@ -215,6 +215,17 @@ struct PosePairs {
 /// what is wrong".
 [[nodiscard]] PosePairs read_pose_pairs(const std::string& file);
 
+/// Many poses, in the scenario's frame.
+struct Poses {
+  std::vector<Pose> poses;
+  /// Doubtful values that are not wrong: "file:line: what".
+  std::vector<std::string> warnings;
+};
+
+/// Reads a list of poses (CSV): x, y, heading. "-" is standard input. Throws InputError "file:line:
+/// what is wrong".
+[[nodiscard]] Poses read_poses(const std::string& file);
+
 /// Reads a case of the Trajectory Planning Competition for Automated Parking 2022 (CSV). Throws
 /// InputError "file:line: what is wrong".
 [[nodiscard]] Scenario read_tpcap(const std::string& file);

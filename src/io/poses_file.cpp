@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-// How is a list of starts and goals read? (docs/formats.md)
+// How are lists of poses read, and of starts with goals? (docs/formats.md)
 
 #include <fmt/format.h>
 
@@ -8,6 +8,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "io/document.h"
 #include "vandplan/files.h"
@@ -19,9 +21,15 @@ namespace {
 
 using namespace io;
 
-constexpr std::array<std::string_view, 6> columns = {"start_x", "start_y", "start_heading",
-                                                     "goal_x",  "goal_y",  "goal_heading"};
-constexpr const char* all_columns = "start_x,start_y,start_heading,goal_x,goal_y,goal_heading";
+using Columns = std::span<const std::string_view>;
+
+constexpr std::array<std::string_view, 6> columns_of_pairs = {"start_x", "start_y", "start_heading",
+                                                              "goal_x",  "goal_y",  "goal_heading"};
+constexpr std::array<std::string_view, 3> columns_of_poses = {"x", "y", "heading"};
+
+std::string name_in_errors(const std::string& file) {
+  return file == "-" ? "standard input" : file;
+}
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r");
@@ -29,11 +37,11 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// Cells of a line between commas, without blanks and quotation marks. At most one more than there
-/// are columns.
-std::vector<std::string_view> cells_of(std::string_view line) {
+/// Cells of a line between commas, without blanks and quotation marks; at most one more than
+/// `count`.
+std::vector<std::string_view> cells_of(std::string_view line, std::size_t count) {
   std::vector<std::string_view> cells;
-  while (cells.size() <= columns.size()) {
+  while (cells.size() <= count) {
     const std::size_t comma = line.find(',');
     std::string_view cell = trimmed(line.substr(0, comma));
     if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"') {
@@ -55,62 +63,45 @@ bool read_number(std::string_view text, double& value) {
 
 /// Whether a line is a header: as many words as columns, and no number. Throws InputError if known
 /// columns are in another order.
-bool is_header(const std::vector<std::string_view>& cells, const std::string& where) {
+bool is_header(Columns columns, const std::vector<std::string_view>& cells,
+               const std::string& where) {
   double value = 0.0;
   if (cells.size() != columns.size()) return false;
   for (const std::string_view cell : cells) {
     if (read_number(cell, value)) return false;
   }
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const auto* const ours = std::find(columns.begin(), columns.end(), cells[i]);
-    if (ours == columns.end() || ours == columns.begin() + i) continue;
-    throw InputError(where,
-                     fmt::format("has {} in column {}, expected {}", cells[i], i + 1, all_columns));
+    const auto ours = std::find(columns.begin(), columns.end(), cells[i]);
+    if (ours == columns.end() || static_cast<std::size_t>(ours - columns.begin()) == i) continue;
+    throw InputError(where, fmt::format("has {} in column {}, expected {}", cells[i], i + 1,
+                                        fmt::join(columns, ",")));
   }
   return true;
 }
 
-PosePair pair_from(const std::vector<std::string_view>& cells, const std::string& where) {
+std::vector<double> numbers_in(Columns columns, const std::vector<std::string_view>& cells,
+                               const std::string& where) {
   if (cells.size() != columns.size()) {
     const std::string count = cells.size() > columns.size()
                                   ? fmt::format("more than {}", columns.size())
                                   : fmt::format("{}", cells.size());
     throw InputError(where, fmt::format("has {} value{}, expected {}", count,
-                                        cells.size() == 1 ? "" : "s", all_columns));
+                                        cells.size() == 1 ? "" : "s", fmt::join(columns, ",")));
   }
-  std::array<double, 6> values{};
+  std::vector<double> values(columns.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (read_number(cells[i], values[i])) continue;
     throw InputError(where, fmt::format("{}: is \"{}\", expected a finite number", columns[i],
                                         cells[i].substr(0, 40)));
   }
-  const PosePair pair{{values[0], values[1], values[2]}, {values[3], values[4], values[5]}};
-  try {
-    check_poses(pair.start, pair.goal);
-  } catch (const InputError& error) {
-    throw InputError(where, error.what());
-  }
-  return pair;
+  return values;
 }
 
-/// Adds a warning for the first heading that looks like degrees. Others need no second warning.
-void warn_of_degrees(const PosePair& pair, const std::string& where,
-                     std::vector<std::string>& warnings) {
-  const std::string start = heading_doubt(pair.start.heading);
-  const std::string goal = heading_doubt(pair.goal.heading);
-  if (!start.empty()) {
-    warnings.push_back(where + ": start_heading: " + start);
-  } else if (!goal.empty()) {
-    warnings.push_back(where + ": goal_heading: " + goal);
-  }
-}
-
-}  // namespace
-
-PosePairs read_pose_pairs(const std::string& file) {
+/// Calls `take(numbers, where)` for each line of a file that holds numbers.
+template <typename Take>
+void read_rows(const std::string& file, Columns columns, Take take) {
   const std::string text = read_file(file, largest_text);
-  const std::string name = file == "-" ? "standard input" : file;
-  PosePairs read;
+  const std::string name = name_in_errors(file);
   int number = 0;
   bool may_be_header = true;
   std::string_view rest = text;
@@ -122,15 +113,58 @@ PosePairs read_pose_pairs(const std::string& file) {
     ++number;
     if (line.empty() || line.front() == '#') continue;
     const std::string where = fmt::format("{}:{}", name, number);
-    const std::vector<std::string_view> cells = cells_of(line);
-    if (!may_be_header || !is_header(cells, where)) {
-      read.pairs.push_back(pair_from(cells, where));
-      if (read.warnings.empty()) warn_of_degrees(read.pairs.back(), where, read.warnings);
+    const std::vector<std::string_view> cells = cells_of(line, columns.size());
+    if (!may_be_header || !is_header(columns, cells, where)) {
+      take(numbers_in(columns, cells, where), where);
     }
     may_be_header = false;
   }
-  if (read.pairs.empty())
-    throw InputError(name, "has no poses, expected a start and a goal on a line");
+}
+
+void check(const Pose& start, const Pose& goal, const std::string& where) {
+  try {
+    check_poses(start, goal);
+  } catch (const InputError& error) {
+    throw InputError(where, error.what());
+  }
+}
+
+/// Adds a warning for a heading that looks like degrees, unless there is a warning.
+void warn_of_degrees(const Pose& pose, const std::string& column, const std::string& where,
+                     std::vector<std::string>& warnings) {
+  const std::string doubt = heading_doubt(pose.heading);
+  if (warnings.empty() && !doubt.empty()) {
+    warnings.push_back(where + ": " + column + ": " + doubt);
+  }
+}
+
+}  // namespace
+
+PosePairs read_pose_pairs(const std::string& file) {
+  PosePairs read;
+  read_rows(file, columns_of_pairs, [&](const std::vector<double>& n, const std::string& where) {
+    const PosePair& pair =
+        read.pairs.emplace_back(PosePair{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}});
+    check(pair.start, pair.goal, where);
+    warn_of_degrees(pair.start, "start_heading", where, read.warnings);
+    warn_of_degrees(pair.goal, "goal_heading", where, read.warnings);
+  });
+  if (read.pairs.empty()) {
+    throw InputError(name_in_errors(file), "has no poses, expected a start and a goal on a line");
+  }
+  return read;
+}
+
+Poses read_poses(const std::string& file) {
+  Poses read;
+  read_rows(file, columns_of_poses, [&](const std::vector<double>& n, const std::string& where) {
+    const Pose& pose = read.poses.emplace_back(Pose{n[0], n[1], n[2]});
+    check(pose, pose, where);
+    warn_of_degrees(pose, "heading", where, read.warnings);
+  });
+  if (read.poses.empty()) {
+    throw InputError(name_in_errors(file), "has no poses, expected x,y,heading on a line");
+  }
   return read;
 }
 

@@ -93,5 +93,29 @@ TEST(PosesFile, WhatSpreadsheetsWriteIsRead) {
   }
 }
 
+TEST(PosesFile, HoldsPosesAlone) {
+  const TemporaryFolder folder;
+  const Poses read =
+      read_poses(folder.put("p.csv", "x,y,heading\n1, 2.5,-0.5\n# dock\n3e1,4,90\n"));
+  EXPECT_EQ(read.poses, (std::vector<Pose>{{1, 2.5, -0.5}, {30, 4, 90}}));
+  ASSERT_EQ(read.warnings.size(), 1U);
+  EXPECT_NE(read.warnings[0].find("p.csv:4: heading: is 90 rad"), std::string::npos);
+}
+
+TEST(PosesFile, MistakesInPosesNameTheLine) {
+  const auto told = [](const std::string& text) {
+    const TemporaryFolder folder;
+    try {
+      (void)read_poses(folder.put("p.csv", text));
+    } catch (const InputError& error) {
+      return std::string(error.what()).substr(folder.path().size() + 1);
+    }
+    return std::string("no error");
+  };
+  EXPECT_EQ(told(""), "p.csv: has no poses, expected x,y,heading on a line");
+  EXPECT_EQ(told("1,2,3\n1,2\n"), "p.csv:2: has 2 values, expected x,y,heading");
+  EXPECT_EQ(told("x,heading,y\n1,2,3\n"), "p.csv:1: has heading in column 2, expected x,y,heading");
+}
+
 }  // namespace
 }  // namespace vandplan
