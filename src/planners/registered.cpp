@@ -14,8 +14,10 @@
 #include "planners/in_time.h"
 #include "planners/plan_to_set.h"
 #include "planners/shared_options.h"
+#include "search/site_way.h"
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
+#include "vandplan/site_table.h"
 
 namespace vandplan::planning {
 namespace {
@@ -62,7 +64,8 @@ PlannerAnswer plan_by_default(const Task& task, const PlanOptions& options,
       part = part_between(*known, to.start, to.goal);
       known = part.segments.empty() ? nullptr : &part;
     }
-    return anytime::drive_search(to, round, 0.0, {.known = known, .sources = given.sources});
+    return anytime::drive_search(to, round, 0.0,
+                                 {.known = known, .site = given.site, .sources = given.sources});
   };
   return plan_to_set(task, options, 0.0, search_to);
 }
@@ -107,6 +110,15 @@ Planner warm_started(const Path& path) {
   planner.function = [path](const Task& task, const PlanOptions& options) {
     const Path known{to_local(*task.world, path.start), path.segments};
     return planning::plan_by_default(task, options, {.known = &known});
+  };
+  return planner;
+}
+
+Planner with_site(const SiteTable& table) {
+  Planner planner = default_planner();
+  planner.function = [table](const Task& task, const PlanOptions& options) {
+    search::expect_serves(table, task, options);
+    return planning::plan_by_default(task, options, {.site = &table});
   };
   return planner;
 }

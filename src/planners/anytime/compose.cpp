@@ -24,6 +24,7 @@
 #include "planners/rig/compose_rig.h"
 #include "planners/shared_options.h"
 #include "search/grid_distance.h"
+#include "search/site_way.h"
 
 namespace vandplan::anytime {
 namespace {
@@ -36,6 +37,9 @@ constexpr std::int64_t first_survey = 3000;
 constexpr std::int64_t early_survey = 1000;
 /// Rounds with a route after which the survey begins in any case: all other workers may have ended.
 constexpr std::int64_t rounds_without_work = 64;
+
+/// Rounds in which the way of a table is only bent: it is of the best kind, but crooked.
+constexpr std::int64_t rounds_of_site_way = 16;
 
 /// Rounds with a route before the bound with headings is raised, if a gap is to be proven: boxes of
 /// poses take long to make.
@@ -117,6 +121,7 @@ class Composer {
   bool bends_;                        // whether bending may make routes cheaper
   bool has_gap_;                      // whether a gap is to be proven
   bool is_warm_ = false;              // whether the run begins with a route along a known path
+  bool has_site_way_ = false;         // whether that path is the way of a table
   bool has_survey_ = false;           // whether a survey finds routes of other kinds
   std::unique_ptr<BendWorker> bend_;  // bends routes; null if none are bent
   Portfolio portfolio_;
@@ -143,7 +148,13 @@ Composer::Composer(const Task& task, const PlanOptions& options, double time_pri
                  .routes_are_answers = !pricing_->counts_time()} {
   if (bends_) bend_ = std::make_unique<BendWorker>(task, rule_, seed(stream::bend));
   portfolio_.routes = open_ways(task, rule_);  // [1]
-  if (given.known != nullptr) take_known(*given.known);
+  if (given.known != nullptr) {
+    take_known(*given.known);
+  } else if (given.site != nullptr) {
+    const auto way = search::way_in_world(*given.site, task, options.cost);
+    if (way) take_known(way->path);
+    has_site_way_ = is_warm_;
+  }
   has_survey_ = bends_ && !has_gap_ && !is_warm_ && !rule_.is_length();
 }
 
@@ -187,7 +198,9 @@ Share Composer::with_route(const Row& row) const {
     };
   }
   if (has_gap_ || is_warm_) {
-    return [turn = share == 0 ? Turn{} : row.with_gap](const Progress& now) {
+    Turn turn = share == 0 ? Turn{} : row.with_gap;
+    if (has_site_way_ && turn.first_round > 0) turn.first_round += rounds_of_site_way;
+    return [turn](const Progress& now) {
       return now.rounds_with_route < turn.first_round ? 0 : turn.share * growth(now.rounds);
     };
   }

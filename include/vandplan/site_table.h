@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// What does it cost to drive from everywhere on a site to its goals, looked up?
+//
+//   const auto table = vandplan::make_site_table(problem, docks, options);
+//   const auto result = vandplan::plan(problem, vandplan::with_site(*table), options);
+//
+// Method, size and errors: docs/algorithms/site_tables.md.
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "vandplan/path.h"
+#include "vandplan/plan_options.h"
+#include "vandplan/problem.h"
+
+namespace vandplan {
+
+struct Planner;
+namespace search {
+struct SiteData;
+}
+
+/// Resolution of a table, and who makes it.
+struct SiteTableOptions {
+  int headings = 36;          ///< headings of a full turn; [8, 256]
+  double cell = 0.12;         ///< side of a cell of places [turning radii]; [0.01, 1]
+  int threads = 1;            ///< threads that share the goals, with equal results; [1, 256]
+  std::stop_token stop = {};  ///< the work ends soon after this is asked to stop
+  /// Called with the number of goals that are done, one call at a time, from any of the threads.
+  std::function<void(std::size_t)> progress = {};
+};
+
+/// Costs of driving from everywhere on a site to each of some goals, for one vehicle and its
+/// prices. The costs are those of ways made of arcs and lines of fixed lengths. Immutable; copies
+/// share their numbers. Poses are in the scenario's frame.
+class SiteTable {
+ public:
+  /// Goals of the table, as they were given.
+  [[nodiscard]] const std::vector<Pose>& goals() const noexcept { return goals_; }
+
+  /// Box of the places that the table knows, but for less than a cell.
+  [[nodiscard]] Bounds bounds() const noexcept;
+  /// Side of a cell of places [m].
+  [[nodiscard]] double cell() const noexcept;
+  /// Headings of a full turn.
+  [[nodiscard]] int headings() const noexcept;
+
+  /// Approximate cost of driving from a pose to a goal [m]: that of the pose that the pose's cell
+  /// keeps, in the cheaper gear. Infinite outside of the table, and where no way was found. No
+  /// bound: the pose may lie a cell away from the one that was kept. `goal` must be below the
+  /// number of goals.
+  [[nodiscard]] double cost(const Pose& pose, std::size_t goal) const noexcept;
+
+  /// Largest error of the costs to a goal by rounding to 16 bits [m].
+  [[nodiscard]] double rounding(std::size_t goal) const noexcept;
+
+  /// Checks that the table was made for the world, vehicle, prices and margin of a problem. Throws
+  /// InputError naming "site" that says which of them differs. The options must be complete.
+  void expect_made_for(const Problem& problem, const PlanOptions& options) const;
+
+  /// Numbers of the table, for the library alone.
+  [[nodiscard]] const search::SiteData& data() const noexcept { return *data_; }
+
+ private:
+  friend SiteTable site_table_from_bytes(std::shared_ptr<const std::string> bytes,
+                                         const std::string& file);
+  explicit SiteTable(std::shared_ptr<const search::SiteData> data);
+
+  std::shared_ptr<const search::SiteData> data_;
+  std::vector<Pose> goals_;
+};
+
+/// Makes a table of a problem's world and vehicle to some goals, in the scenario's frame. Start and
+/// goal of the problem do not matter. The options must be complete (`complete` of planner.h);
+/// steering and budget do not matter. None if `stop` was asked to stop. Throws InputError naming:
+///
+/// - "goals" if there are none, "goals[2]" for one that is not free or out of range,
+/// - "headings", "cell" or "threads" out of range, "cell" also if there are too many cells,
+/// - "cost" if the cost is the time, "trailers" if the vehicle has a trailer, "moving" if obstacles
+///   move.
+[[nodiscard]] std::optional<SiteTable> make_site_table(const Problem& problem,
+                                                       std::span<const Pose> goals,
+                                                       const PlanOptions& options,
+                                                       const SiteTableOptions& table = {});
+
+/// A way that a table knows. It is free: the vehicle's checker has accepted it.
+struct SiteWay {
+  std::size_t goal = 0;  ///< number of the goal in the table
+  Path path = {};        ///< from the problem's start to its goal, of arcs and lines
+  double cost = 0.0;     ///< cost of the path under the options [m]
+};
+
+/// The way of a table from a problem's start to its goal. None if no free one was found: the start
+/// is not free, outside of the table, or in a place that the goal cannot be reached from. The
+/// options must be complete. Throws InputError naming "site" if the table was made for something
+/// else (`SiteTable::expect_made_for`), if it has no such goal, or if the problem has a set of
+/// goals, vias or moving obstacles.
+[[nodiscard]] std::optional<SiteWay> site_way(const SiteTable& table, const Problem& problem,
+                                              const PlanOptions& options);
+
+/// What driving from a start to a goal costs.
+struct SiteCost {
+  /// Cost of a free way of arcs and lines [m], as `SiteWay::cost`; infinite if none was found.
+  double cost = std::numeric_limits<double>::infinity();
+  /// Proven lower bound of the cost of every path [m]: that of open ground.
+  double lower_bound = 0.0;
+};
+
+/// Costs from each start to each goal of a table, in the scenario's frame: start by start, and for
+/// each start as many as there are goals. Start and goal of the problem do not matter; the options
+/// must be complete. `threads` share the starts, with equal results; below 1 counts as 1. Throws
+/// InputError naming "site" as `site_way` does, or "starts[2]" for a start out of range.
+[[nodiscard]] std::vector<SiteCost> site_matrix(const SiteTable& table, const Problem& problem,
+                                                std::span<const Pose> starts,
+                                                const PlanOptions& options, int threads = 1);
+
+/// The default planner (planner.h) with a warm start from the way of a table. If the table has no
+/// free way, it plans without. Of a set of goals and of vias, those poses begin so that the table
+/// has as goals. When it plans, it throws InputError naming "site" as `site_way` does for one goal.
+[[nodiscard]] Planner with_site(const SiteTable& table);
+
+// ---- How does a table become a file, and how does a file become a table? ----
+//
+// The functions convert bytes; vandplan/files.h reads and writes them. Layout: docs/formats.md.
+
+/// The table as the bytes of a file, equal on every machine. They live as long as the table.
+[[nodiscard]] std::string_view site_table_to_bytes(const SiteTable& table) noexcept;
+
+/// Largest file of a table that is read [bytes].
+inline constexpr std::size_t largest_site_table = std::size_t{1} << 34;
+
+/// The table that `site_table_to_bytes` wrote; it keeps the bytes. Throws InputError naming `file`
+/// if the bytes are foreign, truncated, altered, or of another version.
+[[nodiscard]] SiteTable site_table_from_bytes(std::shared_ptr<const std::string> bytes,
+                                              const std::string& file);
+
+}  // namespace vandplan

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// Costs from everywhere on a site to its goals, and the ways that they stand for.
+#include "vandplan/site_table.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "search/site_data.h"
+#include "support/cases.h"
+#include "support/problems.h"
+#include "support/sites.h"
+#include "support/zoned.h"
+#include "vandplan/input_error.h"
+#include "vandplan/judge.h"
+#include "vandplan/planner.h"
+#include "vandplan/steering.h"
+
+namespace vandplan {
+namespace {
+
+using search::SiteData, search::SiteState;
+using std::numbers::pi;
+using namespace sites;
+
+/// A yard of boxes with a goal, free start and goal.
+Scenario yard(Rng& rng) {
+  while (true) {
+    Scenario scenario{.bounds = area,
+                      .start = uniform_pose({-30, 30, -30, 30}, rng),
+                      .goal = uniform_pose({-30, 30, -30, 30}, rng)};
+    for (int i = 0; i < 6; ++i) {
+      const double x = uniform(-35, 30, rng);
+      const double y = uniform(-35, 30, rng);
+      scenario.obstacles.push_back(box(x, y, x + uniform(1, 8, rng), y + uniform(1, 8, rng)));
+    }
+    const Problem problem = make_problem(scenario);
+    const CollisionChecker& checker = *problem.task().checker;
+    if (checker.is_free(problem.task().start) && checker.is_free(problem.task().goal)) {
+      return scenario;
+    }
+  }
+}
+
+Problem from(const Problem& problem, const Pose& start, const Pose& goal) {
+  return with_poses(problem, start, goal);
+}
+
+// ---- ways ----
+
+TEST(SiteTable, WaysAreAcceptedByTheJudgeAtTheirCost) {
+  int ways = 0;
+  for_each_case(1, 12, [&](Rng& rng) {
+    const Problem problem = make_problem(yard(rng));
+    for (const PlanOptions& options : {driver(), shortest()}) {
+      const SiteTable table = table_to(problem, options);
+      for (int i = 0; i < 10; ++i) {
+        const Problem other = from(problem, uniform_pose({-30, 30, -30, 30}, rng), problem.goal());
+        if (!other.task().checker->is_free(other.task().start)) continue;
+        const auto way = site_way(table, other, options);
+        if (!way) continue;
+        ++ways;
+        EXPECT_EQ(way->path.start, other.start());
+        const PathCheck check = check_path(other, way->path);
+        EXPECT_TRUE(check.valid) << check.reason;
+      }
+    }
+  });
+  EXPECT_GT(ways, 150);
+}
+
+TEST(SiteTable, WaysOnOpenGroundCostLittleMoreThanTheShortest) {
+  // Specks in two corners make the table as large as the area.
+  const std::vector<Polygon> specks = {box(39, 39, 40, 40), box(-40, -40, -39, -39)};
+  const Problem problem = problem_of({20, 0, 0}, {0, 0, 0}, specks, area);
+  const PlanOptions options = shortest();
+  const SiteTable table = table_to(problem, options);
+  double sum = 0.0;
+  double least = 0.0;
+  for_each_case(2, 100, [&](Rng& rng) {
+    const Problem other = from(problem, uniform_pose({-30, 30, -30, 30}, rng), {0, 0, 0});
+    const auto way = site_way(table, other, options);
+    ASSERT_TRUE(way);
+    const double shortest = reeds_shepp_length(other.start(), {0, 0, 0}, 7.0);
+    EXPECT_GE(way->cost, shortest - 1e-6);
+    EXPECT_NEAR(way->cost, length(way->path), 1e-9);
+    sum += way->cost;
+    least += shortest;
+  });
+  EXPECT_LT(sum, 1.1 * least);
+}
+
+TEST(SiteTable, CostsAreThoseOfTheWays) {
+  const Problem problem = problem_of({20, 0, 0}, {0, 0, 0}, {box(-5, 5, 30, 6)}, area);
+  const PlanOptions options = driver();
+  const SiteTable table = table_to(problem, options);
+  double sum = 0.0;
+  int ways = 0;
+  for_each_case(3, 200, [&](Rng& rng) {
+    const Problem other = from(problem, uniform_pose({-24, 30, -19, 25}, rng), {0, 0, 0});
+    const auto way = site_way(table, other, options);
+    const double cost = table.cost(other.start(), 0);
+    if (!way || std::isinf(cost)) return;
+    sum += std::abs(cost / way->cost - 1);
+    ++ways;
+  });
+  EXPECT_GT(ways, 150);
+  EXPECT_LT(sum / ways, 0.25);
+}
+
+TEST(SiteTable, EveryStepLeadsNearerToTheGoal) {
+  const Problem problem = problem_of({20, 0, 0}, {3, 2, 1}, {box(-5, 12, 30, 14)}, area);
+  const SiteTable table = table_to(problem, driver());
+  const SiteData& data = table.data();
+  int states = 0;
+  int goals = 0;
+  for (SiteState state; state.row < data.grid.rows; ++state.row) {
+    for (state.column = 0; state.column < data.grid.columns; ++state.column) {
+      for (state.heading = 0; state.heading < data.grid.headings; ++state.heading) {
+        for (const int gear : {1, -1}) {
+          state.gear = gear;
+          const auto entry = data.find(data.layers[0], state);
+          if (!entry) continue;
+          ++states;
+          if (entry->is_goal) {
+            ++goals;
+            EXPECT_EQ(entry->cost, 0.0);
+            continue;
+          }
+          const auto next = data.find(data.layers[0], data.after(state, *entry));
+          ASSERT_TRUE(next);
+          const double step = std::abs(search::site_step(data.grid, state.gear, entry->arc).length);
+          EXPECT_GE(entry->cost - next->cost, step - 4 * table.rounding(0));
+        }
+      }
+    }
+  }
+  EXPECT_GT(states, 20'000);
+  EXPECT_EQ(goals, 1);
+}
+
+TEST(SiteTable, KnowsNoWayThroughAWall) {
+  const std::vector<Polygon> wall = {box(-40, 5, 40, 6)};
+  const Problem problem = problem_of({20, 20, 0}, {0, 0, 0}, wall, area);
+  const SiteTable table = table_to(problem, driver());
+  EXPECT_TRUE(std::isinf(table.cost({20, 20, 0}, 0)));
+  EXPECT_TRUE(std::isinf(table.cost({1000, 0, 0}, 0)));
+  EXPECT_FALSE(std::isinf(table.cost({20, -15, 0}, 0)));
+  EXPECT_FALSE(site_way(table, problem, driver()));
+}
+
+TEST(SiteTable, KeepsToOneGear) {
+  PlanOptions options = driver();
+  options.cost.gears = AllowedGears::forward;
+  const Problem problem = problem_of({-20, 10, 0}, {0, 0, 0}, {box(-12, -3, -8, 3)}, area);
+  const auto way = site_way(table_to(problem, options), problem, options);
+  ASSERT_TRUE(way);
+  for (const Segment& segment : way->path.segments) EXPECT_GT(segment.length, 0.0);
+}
+
+TEST(SiteTable, KeepsTheMargin) {
+  PlanOptions options = driver();
+  options.clearance.margin = 0.5;
+  const std::vector<Polygon> gate = {box(-1, 1.6, 1, 40), box(-1, -40, 1, -1.6)};
+  const Problem problem = problem_of({-20, 0, 0}, {20, 0, 0}, gate, area);
+  const SiteTableOptions fine;
+  EXPECT_TRUE(site_way(table_to(problem, driver(), fine), problem, driver()));
+  EXPECT_FALSE(site_way(table_to(problem, options, fine), problem, options));
+}
+
+TEST(SiteTable, WaysKeepToTheRulesOfZones) {
+  // Two lanes through a wall; one leads to the east, the other one to the west.
+  Scenario scenario =
+      with_zones({-20, 0, 0}, {30, 0, 0},
+                 {{.area = box(0, -9, 8, 0), .direction = HeadingRange{pi - 0.6, pi + 0.6}},
+                  {.area = box(0, 0, 8, 9), .direction = HeadingRange{-0.6, 0.6}},
+                  {.area = box(12, -40, 16, -5), .closed = true}});
+  scenario.obstacles = {box(0, 9, 8, 40), box(0, -40, 8, -9)};
+  const Problem problem = make_problem(scenario);
+  const SiteTable table = table_to(problem, driver());
+  int ways = 0;
+  for_each_case(6, 40, [&](Rng& rng) {
+    const Problem other = from(problem, uniform_pose({-35, 30, -30, 30}, rng), problem.goal());
+    const auto way = site_way(table, other, driver());
+    if (!way) return;
+    ++ways;
+    const PathCheck check = check_path(other, way->path);
+    EXPECT_TRUE(check.valid) << check.reason;
+  });
+  EXPECT_GT(ways, 15);
+}
+
+TEST(SiteTable, WaysLeadAroundDearGround) {
+  const Zone dear{.area = box(-5, -8, 5, 8), .cost = 5.0};
+  Scenario scenario = with_zones({-20, 0, 0}, {20, 0, 0}, {dear});
+  scenario.obstacles = {box(-30, -30, -29, -29)};  // makes the table reach the start
+  const Problem problem = make_problem(scenario);
+  scenario.zones.clear();
+  const Problem cheap = make_problem(scenario);
+  const auto way = site_way(table_to(problem, driver()), problem, driver());
+  ASSERT_TRUE(way);
+  EXPECT_GT(way->path.segments.size(), 1U);
+  EXPECT_NEAR(way->cost, cost_of(problem, way->path, driver().cost), 0.05);
+  EXPECT_LT(way->cost, 60);  // 80 straight on
+  const auto straight = site_way(table_to(cheap, driver()), cheap, driver());
+  ASSERT_TRUE(straight);
+  EXPECT_LT(straight->cost, 42);
+}
+
+// ---- many starts ----
+
+TEST(SiteMatrix, HoldsTheCostsOfAllPairs) {
+  const Problem problem = problem_of({20, 0, 0}, {0, 0, 0}, {box(9, 9, 12, 12)}, area);
+  const std::vector<Pose> goals = {{0, 0, 0}, {10, -5, 2}};
+  const SiteTable table = make_site_table(problem, goals, driver(), coarse).value();
+  const std::vector<Pose> starts = {{18, 15, 0}, {10, 10, 0}, {-9, 3, 2}};
+  const std::vector<SiteCost> costs = site_matrix(table, problem, starts, driver(), 2);
+  ASSERT_EQ(costs.size(), 6U);
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    const Problem pair = from(problem, starts[i / 2], goals[i % 2]);
+    const auto way = site_way(table, pair, driver());
+    EXPECT_GT(costs[i].lower_bound, 0.0);
+    if (i / 2 == 1) {  // not free
+      EXPECT_TRUE(std::isinf(costs[i].cost));
+      continue;
+    }
+    ASSERT_TRUE(way);
+    EXPECT_EQ(costs[i].cost, way->cost);
+    EXPECT_LE(costs[i].lower_bound, costs[i].cost);
+  }
+  EXPECT_EQ(refusal([&] {
+              const std::vector<Pose> far = {{18, 15, 0}, {1e300, 0, 0}};
+              (void)site_matrix(table, problem, far, driver());
+            }).substr(0, 10),
+            "starts[1]:");
+}
+
+TEST(SiteMatrix, LowerBoundsHoldForPlans) {
+  for_each_case(5, 4, [&](Rng& rng) {
+    const Problem problem = make_problem(yard(rng));
+    PlanOptions options{.steering = Steering::reeds_shepp};
+    options.budget.max_iterations = 2000;
+    const PlanOptions all = complete(default_planner(), options);
+    const std::vector<Pose> starts = {problem.start()};
+    const std::vector<SiteCost> costs = site_matrix(table_to(problem, all), problem, starts, all);
+    const PlanResult result = plan(problem, options);
+    if (!result.path) return;
+    EXPECT_LE(costs[0].lower_bound, result.cost);
+  });
+}
+
+// ---- who makes it ----
+
+TEST(SiteTable, ThreadsChangeNothing) {
+  const Problem problem = problem_of({20, 0, 0}, {0, 0, 0}, {box(9, 9, 12, 12)}, area);
+  const std::vector<Pose> goals = {{0, 0, 0}, {10, -5, 2}, {-20, 3, 1}};
+  SiteTableOptions options = coarse;
+  std::size_t done = 0;
+  options.progress = [&done](std::size_t goals_done) { EXPECT_EQ(goals_done, ++done); };
+  const SiteTable one = make_site_table(problem, goals, driver(), options).value();
+  EXPECT_EQ(done, goals.size());
+  options.threads = 3;
+  options.progress = {};
+  const SiteTable three = make_site_table(problem, goals, driver(), options).value();
+  EXPECT_EQ(site_table_to_bytes(one), site_table_to_bytes(three));
+  EXPECT_EQ(one.goals(), goals);
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    EXPECT_EQ(one.cost(goals[i], i), 0.0);
+    EXPECT_GT(one.cost(goals[i], (i + 1) % goals.size()), 5.0);
+    const auto way = site_way(one, from(problem, {20, 0, 0}, goals[i]), driver());
+    ASSERT_TRUE(way);
+    EXPECT_EQ(way->goal, i);
+  }
+}
+
+TEST(SiteTable, IsNotMadeWhenStopped) {
+  const Problem problem = problem_of({20, 0, 0}, {0, 0, 0}, {}, area);
+  std::stop_source stop;
+  SiteTableOptions options = coarse;
+  options.stop = stop.get_token();
+  options.progress = [&stop](std::size_t) { stop.request_stop(); };
+  const std::vector<Pose> goals = {{0, 0, 0}, {10, -5, 2}};
+  EXPECT_FALSE(make_site_table(problem, goals, driver(), options));
+}
+
+// ---- planning ----
+
+TEST(SiteTable, GivesThePlannerItsFirstPath) {
+  int planned = 0;
+  for_each_case(4, 6, [&](Rng& rng) {
+    const Problem problem = make_problem(yard(rng));
+    PlanOptions options{.steering = Steering::reeds_shepp};
+    options.budget.max_iterations = 300;
+    const PlanOptions all = complete(default_planner(), options);
+    const SiteTable table = table_to(problem, all);
+    const auto way = site_way(table, problem, all);
+    if (!way) return;
+    const PlanResult result = plan(problem, with_site(table), options);
+    ASSERT_EQ(result.status, PlanStatus::solved);
+    EXPECT_LE(result.cost, way->cost + 1e-3);
+    ASSERT_FALSE(result.anytime.empty());
+    EXPECT_EQ(result.anytime.front().iteration, 0);
+    ++planned;
+  });
+  EXPECT_GE(planned, 4);
+}
+
+TEST(SiteTable, BeginsTheSearchesForTheGoalsOfASet) {
+  const std::vector<Polygon> wall = {box(-38, 9, 30, 10)};
+  const Problem problem = problem_of({-20, 20, 0}, {0, 0, 0}, wall, area);
+  const std::vector<Pose> docks = {{0, 0, 0}, {-20, -10, 1}};
+  const SiteTable table = make_site_table(problem, docks, driver(), coarse).value();
+  PlanOptions options;
+  options.budget.max_iterations = 40;  // too few without a table
+  const Problem any = with_goal_set(problem, {region_of_pose(docks[0]), region_of_pose(docks[1])});
+  EXPECT_TRUE(plan(any, with_site(table), options).path);
+  EXPECT_FALSE(plan(any, options).path);
+}
+
+}  // namespace
+}  // namespace vandplan
