@@ -26,6 +26,7 @@ void add_convert(CLI::App& vandplan, int& status);
 void add_draw(CLI::App& vandplan, int& status);
 void add_drive(CLI::App& vandplan, int& status);
 void add_evaluate(CLI::App& vandplan, int& status);
+void add_matrix(CLI::App& vandplan, int& status);
 void add_plan(CLI::App& vandplan, int& status);
 void add_planners(CLI::App& vandplan, int& status);
 void add_smooth(CLI::App& vandplan, int& status);

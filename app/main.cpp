@@ -22,7 +22,7 @@ namespace {
 
 constexpr AddCommand commands[] = {add_plan,  add_check,   add_draw,     add_speed,
                                    add_drive, add_smooth,  add_evaluate, add_table,
-                                   add_study, add_convert, add_planners};
+                                   add_study, add_convert, add_planners, add_matrix};
 
 /// Prints a problem on one line of standard error; returns `status`.
 int complain(std::string problem, int status) {

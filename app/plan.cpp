@@ -14,6 +14,7 @@
 #include "pictures.h"
 #include "plan_poses.h"
 #include "recordings.h"
+#include "table_site.h"
 #include "table_source.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
@@ -30,6 +31,7 @@ struct PlanArguments {
   std::vector<TypedOption> options;
   std::optional<std::string> table;
   std::optional<std::string> primitives;
+  std::optional<std::string> site;
   std::optional<std::string> output;
   std::optional<std::string> recording;
   PictureWish picture;
@@ -126,7 +128,8 @@ void warn_of_ignored(const std::string& file, const std::vector<Setting>& wanted
 }
 
 int run(const PlanArguments& arguments) {
-  const Planner planner = planner_named(arguments.planner);
+  const Planner planner =
+      arguments.site ? planner_with_site(*arguments.site) : planner_named(arguments.planner);
   const std::shared_ptr<const HeuristicTable> table = table_of_user(arguments.table);
   const std::shared_ptr<const search::Primitives> primitives =
       arguments.primitives ? read_primitives(*arguments.primitives) : nullptr;
@@ -208,6 +211,11 @@ void add_plan(CLI::App& vandplan, int& status) {
   command->add_option("--planner", arguments->planner, "Planner, see `vandplan planners`")
       ->type_name("NAME")
       ->capture_default_str();
+  command
+      ->add_option("--site", arguments->site,
+                   "Table of the site, see `vandplan table site`: begin with its way")
+      ->type_name("FILE")
+      ->excludes("--planner");
   add_option_flags(*command, arguments->options);
   add_table_flag(*command, arguments->table);
   command

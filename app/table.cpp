@@ -11,6 +11,7 @@
 #include "commands.h"
 #include "option_flags.h"
 #include "studies/table_check.h"
+#include "table_site.h"
 #include "table_source.h"
 #include "tables/table_export.h"
 #include "vandplan/files.h"
@@ -254,9 +255,12 @@ void add_table_info(CLI::App& table) {
       table.add_subcommand("info", "Describe a table, after a test of size and checksum.");
   const auto name = std::make_shared<std::string>();
   const auto json = std::make_shared<bool>(false);
-  command->add_option("TABLE", *name, table_help)->required()->type_name("");
+  command->add_option("TABLE", *name, std::string(table_help) + "; FILE.vst: of a site")
+      ->required()
+      ->type_name("");
   add_json(*command, *json);
   command->callback([name, json] {
+    if (name->ends_with(".vst")) return print_site_table(*name, *json);
     const TableSource source = table_source(*name);
     if (*json) {
       Json object = {{"table", source.name}};
@@ -309,16 +313,17 @@ void add_table_export(CLI::App& table) {
 
 void add_table(CLI::App& vandplan, int& status) {
   CLI::App* const table = vandplan.add_subcommand(
-      "table", "Build, describe, check and export heuristic look-up tables.");
+      "table", "Build, describe, check and export look-up tables; make one of a site.");
   table->require_subcommand(0, 1);
   table->callback([table] {
     if (!table->get_subcommands().empty()) return;
-    throw InputError("table", "a command is missing, expected build, info, check or export");
+    throw InputError("table", "a command is missing, expected build, info, check, export or site");
   });
   add_table_build(*table);
   add_table_info(*table);
   add_table_check(*table, status);
   add_table_export(*table);
+  add_table_site(*table, status);
 }
 
 }  // namespace vandplan::app

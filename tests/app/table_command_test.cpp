@@ -305,7 +305,99 @@ TEST_F(TableCommand, AFullDiskLeavesTheOldFile) {
 }
 
 TEST_F(TableCommand, NeedsACommand) {
-  EXPECT_EQ(complaint({}), "table: a command is missing, expected build, info, check or export");
+  EXPECT_EQ(complaint({}),
+            "table: a command is missing, expected build, info, check, export or site");
+}
+
+// ---- tables of a site ----
+
+constexpr const char* yard =
+    "name: yard\n"
+    "vehicle: {wheelbase: 4.5, front_overhang: 1.4, rear_overhang: 1.6, width: 2.55, "
+    "min_turning_radius: 7.0}\n"
+    "bounds: {x: [-30, 30], y: [-30, 30]}\n"
+    "obstacles: [[[-5, 5], [15, 5], [15, 6], [-5, 6]]]\n"
+    "goal: {x: 0, y: 0, heading: 0}\n";
+
+std::string yard_from(const std::string& start) { return yard + ("start: " + start + "\n"); }
+
+TEST_F(TableCommand, OfASiteIsTheBeginOfAPlan) {
+  write_content(folder_ / "a.yaml", yard_from("{x: 10, y: 15, heading: 3}"));
+  write_content(folder_ / "b.yaml", yard_from("{x: -17, y: 9, heading: 1}"));
+  const std::string table = folder_ / "yard.vst";
+  const Json made = json_of({"site", folder_ / "a.yaml", "-o", table});
+  EXPECT_EQ(made["goals"], 1);
+  EXPECT_EQ(made["bytes"], content_of(table).size());
+  const Json info = json_of({"info", table});
+  EXPECT_EQ(info["goals"].size(), 1U);
+  EXPECT_EQ(info["headings"], 36);
+  EXPECT_EQ(info["bytes"], made["bytes"]);
+  for (const char* scenario : {"a.yaml", "b.yaml"}) {
+    const Outcome outcome = run_vandplan(
+        {"plan", folder_ / scenario, "--site", table, "--max-iterations", "50", "--json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(Json::parse(outcome.out)["status"], "solved");
+  }
+}
+
+TEST_F(TableCommand, OfASiteIsRefusedElsewhere) {
+  const std::string scenario = folder_ / "a.yaml";
+  const std::string table = folder_ / "yard.vst";
+  write_content(scenario, yard_from("{x: 10, y: 15, heading: 3}"));
+  write_content(folder_ / "docks.csv", "x,y,heading\n20,-10,1\n0,0,0\n");
+  const Json made = json_of({"site", scenario, "--goals", folder_ / "docks.csv", "-o", table});
+  EXPECT_EQ(made["goals"], 2);
+  const auto planned = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"plan", scenario, "--site", table, "--max-iterations", "9"});
+    return run_vandplan(more);
+  };
+  EXPECT_EQ(planned({}).status, 0);
+  const Outcome dearer = planned({"--set", "reverse_weight=3"});
+  EXPECT_EQ(dearer.status, 2);
+  EXPECT_EQ(dearer.err, "vandplan: " + table +
+                            ": the table was made for other options: prices, gears or margin "
+                            "differ\n");
+  const std::string bytes = content_of(table);
+  write_content(table, bytes.substr(0, bytes.size() - 1));
+  EXPECT_EQ(planned({}).err, "vandplan: " + table +
+                                 ": truncated: " + std::to_string(bytes.size() - 1) +
+                                 " bytes, expected " + std::to_string(bytes.size()) + "\n");
+  const std::string output = folder_ / "x.vst";
+  EXPECT_EQ(complaint({"site", scenario, "--cell", "9", "-o", output}),
+            "--cell: expected 0.01 to 1 turning radii");
+  write_content(folder_ / "docks.csv", "20,-10,1\n5,5.5,0\n");
+  EXPECT_EQ(complaint({"site", scenario, "--goals", folder_ / "docks.csv", "-o", output}),
+            (folder_ / "docks.csv") + ": goals[1]: is not free");
+  write_content(folder_ / "docks.csv", "20,-10,1\n0,0\n");
+  EXPECT_EQ(
+      complaint({"site", scenario, "--goals", folder_ / "docks.csv", "-o", folder_ / "x.vst"}),
+      (folder_ / "docks.csv") + ":2: has 2 values, expected x,y,heading");
+}
+
+TEST_F(TableCommand, OfASiteGivesAMatrix) {
+  const std::string scenario = folder_ / "a.yaml";
+  const std::string table = folder_ / "yard.vst";
+  const std::string goals = folder_ / "goals.csv";
+  write_content(scenario, yard_from("{x: 10, y: 15, heading: 3}"));
+  write_content(folder_ / "starts.csv", "10,15,3\n5,5.5,0\n-17,9,1\n");
+  write_content(goals, "20,-10,1\n0,0,0\n");
+  const auto matrix = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"matrix", scenario, "--starts", folder_ / "starts.csv", "--goals",
+                               goals, "-o", folder_ / "m.csv"});
+    return run_vandplan(more);
+  };
+  EXPECT_EQ(matrix({}).status, 0);
+  const std::string made = content_of(folder_ / "m.csv");
+  EXPECT_EQ(made.substr(0, made.find('\n')), "start,goal,cost,lower_bound");
+  EXPECT_EQ(std::count(made.begin(), made.end(), '\n'), 7);
+  EXPECT_NE(made.find("\n1,0,,"), std::string::npos);  // the second start is in a wall
+  EXPECT_EQ(made.find("\n2,1,,"), std::string::npos);
+  (void)json_of({"site", scenario, "--goals", goals, "-o", table});
+  EXPECT_EQ(matrix({"--site", table}).status, 0);
+  EXPECT_EQ(content_of(folder_ / "m.csv"), made);
+  write_content(goals, "20,-10,1\n");
+  EXPECT_EQ(matrix({"--site", table}).err, "vandplan: " + goals + ": has other goals than " +
+                                               table + ", expected the same in the same order\n");
 }
 
 }  // namespace

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// vandplan matrix: what does driving cost from many starts to many goals?
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "commands.h"
+#include "interrupt.h"
+#include "option_flags.h"
+#include "table_site.h"
+#include "vandplan/files.h"
+#include "vandplan/input_error.h"
+#include "vandplan/site_table.h"
+#include "wording.h"
+
+namespace vandplan::app {
+namespace {
+
+struct MatrixArguments {
+  std::string scenario, starts, goals, output;
+  std::optional<std::string> site;
+  std::vector<TypedOption> options;
+  int jobs = 0;  // starts at once; 0: one per processor
+  bool json = false;
+};
+
+std::vector<Pose> poses_in(const std::string& file) {
+  const Poses poses = read_poses(file);
+  warn(poses.warnings);
+  return poses.poses;
+}
+
+/// Rows "start,goal,cost,lower_bound", numbered as in the files from 0. A pair without a way has no
+/// cost.
+std::string csv_of(const std::vector<SiteCost>& costs, std::size_t goals) {
+  std::string text = "start,goal,cost,lower_bound\n";
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    const std::string cost = std::isinf(costs[i].cost) ? "" : fmt::format("{}", costs[i].cost);
+    text += fmt::format("{},{},{},{}\n", i / goals, i % goals, cost, costs[i].lower_bound);
+  }
+  return text;
+}
+
+int make(const MatrixArguments& arguments) {
+  expect_writable(arguments.output);
+  const std::stop_token stop = stop_on_signal();
+  const ScenarioProblems read = read_problems(arguments.scenario);
+  warn(read.file.warnings);
+  const Problem& problem = read.problems.front();
+  const Planner& planner = default_planner();
+  const PlanOptions options = complete(
+      planner, options_for(planner, read.file.options, arguments.options), problem.vehicle());
+  const std::vector<Pose> starts = poses_in(arguments.starts);
+  const std::vector<Pose> goals = poses_in(arguments.goals);
+  const int threads = threads_of(arguments.jobs);
+  std::optional<SiteTable> table;
+  if (arguments.site) {
+    table = read_site_table(*arguments.site);
+  } else {
+    table = make_site_table(problem, goals, options, {.threads = threads, .stop = stop});
+  }
+  if (!table) throw InputError("matrix", "was stopped, nothing is written");
+  if (table->goals() != goals) {
+    throw InputError(arguments.goals, "has other goals than " + *arguments.site +
+                                          ", expected the same in the same order");
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  std::vector<SiteCost> costs;
+  try {
+    costs = site_matrix(*table, problem, starts, options, threads);
+  } catch (const InputError& error) {
+    if (error.where() != "site") throw;
+    throw InputError(*arguments.site, error.problem());
+  }
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+  write_file(arguments.output, csv_of(costs, goals.size()));
+  if (arguments.output == "-") return exit_status::done;
+  const auto found = std::count_if(costs.begin(), costs.end(),
+                                   [](const SiteCost& cost) { return !std::isinf(cost.cost); });
+  if (arguments.json) {
+    print({{"output", arguments.output},
+           {"pairs", costs.size()},
+           {"with_way", found},
+           {"time", time.count()}});
+  } else {
+    fmt::print("{}: {} pairs, {} with a way, in {:.3f} s\n", printable(arguments.output),
+               costs.size(), found, time.count());
+  }
+  return exit_status::done;
+}
+
+}  // namespace
+
+void add_matrix(CLI::App& vandplan, int& status) {
+  CLI::App* const command =
+      vandplan.add_subcommand("matrix", "Costs of driving from many starts to many goals.");
+  const auto arguments = std::make_shared<MatrixArguments>();
+  add_scenario(*command, arguments->scenario);
+  const auto add = [&](const char* flag, std::string& file, const char* about) {
+    command->add_option(flag, file, about)->type_name("FILE")->required();
+  };
+  add("--starts", arguments->starts, "Starts (CSV: x, y, heading)");
+  add("--goals", arguments->goals, "Goals (CSV: x, y, heading)");
+  command
+      ->add_option("--site", arguments->site,
+                   "Table with these goals, see `vandplan table site`; default: one is made")
+      ->type_name("FILE");
+  add_site_settings(*command, arguments->options);
+  add_jobs(*command, arguments->jobs, "Starts at once; 0: one per processor; up to 256");
+  add("-o,--output", arguments->output, "Costs and lower bounds (CSV)");
+  command->add_flag("--json", arguments->json, "Print JSON");
+  command->callback([arguments, &status] { status = make(*arguments); });
+}
+
+}  // namespace vandplan::app

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// How do tables of sites come to and from the command line?
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "option_flags.h"
+#include "vandplan/planner.h"
+#include "vandplan/site_table.h"
+
+namespace vandplan::app {
+
+/// Adds the command `site` to the command `table`.
+void add_table_site(CLI::App& table, int& status);
+
+/// Adds --set for prices, gears and margin to a command. `options` outlives the command.
+void add_site_settings(CLI::App& command, std::vector<TypedOption>& options);
+/// Adds --jobs to a command.
+void add_jobs(CLI::App& command, int& jobs, const char* about);
+/// Number of threads for so many jobs; 0: one per processor.
+[[nodiscard]] int threads_of(int jobs);
+
+/// The table of a file. Throws InputError naming the file if it is not such a table.
+[[nodiscard]] SiteTable read_site_table(const std::string& file);
+
+/// Prints what the table of a file holds. Throws InputError naming the file if it is not such a
+/// table.
+void print_site_table(const std::string& file, bool json);
+
+/// The default planner with the table of a file. What the planner throws about the table names the
+/// file. Throws InputError naming the file if it is not such a table.
+[[nodiscard]] Planner planner_with_site(const std::string& file);
+
+}  // namespace vandplan::app
