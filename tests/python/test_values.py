@@ -63,6 +63,7 @@ def every_value(tmp_path):
         "ReplanAnswer": replanner.tick(0),
         "Result": busy,
         "Scenario": vp.Scenario((5, 5, 0), (7, 6, 0), map=grid, vehicle=rig.vehicle, options={"margin": 0.1}),
+        "SiteTable": vp.site_table(free, headings=8, cell=1),
         "SpeedProfile": busy.speeds,
         "TrailerDeviation": trailer.trailer,
         "Vehicle": rig.vehicle,

@@ -20,6 +20,7 @@ void bind_moving(pybind11::module_& module);
 void bind_check(pybind11::module_& module);
 void bind_result(pybind11::module_& module);
 void bind_own_planner(pybind11::module_& module);
+void bind_site(pybind11::module_& module);
 void bind_planning(pybind11::module_& module);
 void bind_speed(pybind11::module_& module);
 void bind_driving(pybind11::module_& module);

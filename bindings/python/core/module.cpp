@@ -65,6 +65,7 @@ PYBIND11_MODULE(_core, module) {
   own::bind_check(module);
   own::bind_result(module);
   own::bind_planning(module);
+  own::bind_site(module);
   own::bind_speed(module);
   own::bind_driving(module);
   own::bind_replan(module);

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// Tables of what driving costs from everywhere on a site to its goals.
+
+#include "bindings/python/core/site.h"
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "bindings/python/core/arrays.h"
+#include "bindings/python/core/bind.h"
+#include "bindings/python/core/interrupt.h"
+#include "bindings/python/core/options.h"
+#include "bindings/python/core/scenario.h"
+#include "vandplan/files.h"
+#include "vandplan/input_error.h"
+#include "vandplan/planner.h"
+#include "vandplan/site_table.h"
+
+namespace vandplan::python {
+namespace {
+
+using namespace py::literals;
+using FileOfTable = std::filesystem::path;  // Accepts str and os.PathLike.
+
+/// Complete options of the default planner for a scenario.
+PlanOptions site_options(const CheckedScenario& scenario, const py::kwargs& keywords) {
+  const Vehicle& vehicle = scenario.scenario().vehicle;
+  const Planner& planner = default_planner();
+  return complete(planner, options_for(planner, scenario.options(), {{}, {}, 1, keywords}, vehicle),
+                  vehicle);
+}
+
+/// Poses from Python: (N, 3), or one pose. Throws InputError naming `where`.
+std::vector<Pose> list_of(const py::object& given, const char* where) {
+  const Poses poses(given, where);
+  if (poses.shape().size() > 1) throw InputError(where, "expected the shape (N, 3) or (3,)");
+  warn_of_degrees(poses.view(), where);
+  return {poses.view().begin(), poses.view().end()};
+}
+
+SiteTable table_of(const Problem& problem, const std::vector<Pose>& goals,
+                   const PlanOptions& options, SiteTableOptions wanted) {
+  std::optional<SiteTable> table;
+  {
+    const Interruptible interruptible;
+    wanted.stop = interruptible.stop();
+    const py::gil_scoped_release release;
+    table = make_site_table(problem, goals, options, wanted);
+  }
+  raise_signals();
+  if (!table) throw InputError("site_table", "was stopped");
+  return *std::move(table);
+}
+
+SiteTable make_table(const CheckedScenario& scenario, const py::object& goals, int headings,
+                     double cell, int jobs, const py::kwargs& keywords) {
+  const Problem& problem = scenario.problem();
+  if (goals.is_none() && !problem.goal_set().empty()) {
+    throw InputError("goals", "the goal of the scenario is a set, expected poses");
+  }
+  const std::vector<Pose> poses =
+      goals.is_none() ? std::vector<Pose>{problem.goal()} : list_of(goals, "goals");
+  return table_of(problem, poses, site_options(scenario, keywords),
+                  {.headings = headings, .cell = cell, .threads = jobs});
+}
+
+py::object cost_of(const SiteTable& self, const py::object& given, std::size_t goal) {
+  if (goal >= self.goals().size()) throw InputError("goal", "the table has no such goal");
+  const Poses poses(given, "poses");
+  if (poses.shape().empty()) return py::float_(self.cost(poses.view().front(), goal));
+  py::array_t<double> costs = empty_array(poses.shape());
+  double* const values = costs.mutable_data();
+  unlocked(poses.view().size(), [&] {
+    for (std::size_t i = 0; i < poses.view().size(); ++i) {
+      values[i] = self.cost(poses.view()[i], goal);
+    }
+  });
+  return costs;
+}
+
+std::optional<Path> way_of(const SiteTable& self, const CheckedScenario& scenario,
+                           const py::kwargs& keywords) {
+  const Problem& problem = scenario.problem();
+  const auto way = site_way(self, problem, site_options(scenario, keywords));
+  if (!way) return std::nullopt;
+  return way->path;
+}
+
+SiteTable read_table(const FileOfTable& file) {
+  const std::string name = file.string();
+  return site_table_from_bytes(
+      std::make_shared<const std::string>(read_file(name, largest_site_table)), name);
+}
+
+py::tuple matrix(const CheckedScenario& scenario, const py::object& starts, const py::object& goals,
+                 int jobs, const py::kwargs& keywords) {
+  const Problem& problem = scenario.problem();
+  const PlanOptions options = site_options(scenario, keywords);
+  const std::vector<Pose> from = list_of(starts, "starts");
+  const bool is_table = py::isinstance<SiteTable>(goals);
+  const SiteTable table =
+      is_table ? goals.cast<SiteTable>()
+               : table_of(problem, list_of(goals, "goals"), options, {.threads = jobs});
+  std::vector<SiteCost> costs;
+  {
+    const py::gil_scoped_release release;
+    costs = site_matrix(table, problem, from, options, jobs);
+  }
+  const std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(from.size()),
+                                          static_cast<py::ssize_t>(table.goals().size())};
+  py::array_t<double> cost = empty_array(shape);
+  py::array_t<double> bound = empty_array(shape);
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    cost.mutable_data()[i] = costs[i].cost;
+    bound.mutable_data()[i] = costs[i].lower_bound;
+  }
+  return py::make_tuple(cost, bound);
+}
+
+void bind_table(py::module_& module) {
+  py::class_<SiteTable>(module, "SiteTable",
+                        R"(Costs of driving from everywhere on a site to its goals.
+
+`site_table` makes one, `read_site_table` reads one, `with_site` plans with it. It holds for one
+world, vehicle, prices and margin, and for any start.)")
+      .def_property_readonly(
+          "goals",
+          [](const SiteTable& self) { return array_of(std::span<const Pose>(self.goals())); },
+          "Goals of the table, of shape (N, 3).")
+      .def("cost", &cost_of, "poses"_a, "goal"_a = 0, R"(cost(poses, goal=0) -> float or array
+
+Approximate cost of driving from each pose to a goal [m], by number. Infinite without a way.)")
+      .def("way", &way_of, "scenario"_a, R"(way(scenario, **options) -> Path or None
+
+Free path of arcs and lines from the start of a scenario to its goal, read off the table.
+
+The options are those of `plan`. Raises InputError if the table was made for something else.)")
+      .def(
+          "save",
+          [](const SiteTable& self, const FileOfTable& file) {
+            write_file(file.string(), site_table_to_bytes(self));
+          },
+          "file"_a,
+          "save(file)\n\nWrites a file (.vst) for `read_site_table` and the command line.")
+      .def(py::pickle(
+          [](const SiteTable& self) { return py::bytes(std::string(site_table_to_bytes(self))); },
+          [](const py::bytes& state) {
+            return site_table_from_bytes(std::make_shared<const std::string>(state), "site");
+          }));
+}
+
+}  // namespace
+
+Planner site_planner(const SiteTable& table) {
+  Planner planner = with_site(table);
+  planner.function = SiteFunction{table, std::move(planner.function)};
+  return planner;
+}
+
+void bind_site(py::module_& module) {
+  bind_table(module);
+  module.def("site_table", &make_table, "scenario"_a, "goals"_a = py::none(), py::kw_only(),
+             "headings"_a = SiteTableOptions{}.headings, "cell"_a = SiteTableOptions{}.cell,
+             "jobs"_a = 1,
+             R"(site_table(scenario, goals=None, *, headings=36, cell=0.12, jobs=1,
+    **options) -> SiteTable
+
+Computes what driving costs from everywhere on a site to each goal.
+
+- `goals`: poses of shape (N, 3), or one pose. None: the goal of the scenario.
+- `headings`: headings of a full turn. `cell`: side of a cell of places [turning radii].
+- `jobs`: threads that share the goals.
+- `options`: options of `plan` that set prices, gears and margin.
+
+Raises InputError for a goal that is not free, a trailer, or cost="time".)");
+  module.def("matrix", &matrix, "scenario"_a, "starts"_a, "goals"_a, py::kw_only(), "jobs"_a = 1,
+             R"(matrix(scenario, starts, goals, *, jobs=1, **options) -> (cost, lower_bound)
+
+Costs of free ways from each start to each goal, and proven lower bounds [m], of shape (N, M).
+
+`goals` are poses or a `SiteTable`. A cost is infinite if no way was found. Bounds are those of open
+ground and hold for every path. The other keywords are those of `site_table`.)");
+  module.def("read_site_table", &read_table, "file"_a,
+             "read_site_table(file) -> SiteTable\n\nReads a file of `SiteTable.save` or the "
+             "command line.");
+  module.def(
+      "with_site", [](const SiteTable& table) { return site_planner(table); }, "table"_a,
+      R"(with_site(table) -> Planner
+
+The default planner with a warm start from the way of a `SiteTable`.
+
+Without such a way it plans as usual. Its `plan` raises InputError if the table was made for
+something else or lacks the goal, and among moving obstacles.)");
+}
+
+}  // namespace vandplan::python

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026, the Vändplan authors
+"""Tables of a site in Python."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+import vandplan as vp
+
+COARSE = {"headings": 24, "cell": 0.25}
+
+
+@pytest.fixture
+def table(yard):
+    return vp.site_table(yard, [(0, 12, 0), (-10, -5, 1)], jobs=2, **COARSE)
+
+
+def test_a_table_has_costs_from_everywhere(yard, table):
+    assert table.goals.tolist() == [[0, 12, 0], [-10, -5, 1]]
+    assert table.cost((0, 12, 0)) == 0.0
+    costs = table.cost([[(0, 0, 0), (20, 0, 0)]], goal=1)
+    assert costs.shape == (1, 2) and (costs > 5).all()
+    assert np.isinf(table.cost((0, 6, 0)))
+    with pytest.raises(vp.InputError, match="goal: the table has no such goal"):
+        table.cost((0, 0, 0), goal=2)
+    assert vp.site_table(yard, **COARSE).goals.tolist() == [[0, 12, 0]]
+
+
+def test_a_way_is_read_off_and_begins_a_plan(yard, table):
+    way = table.way(yard)
+    assert vp.check(yard, way)
+    result = vp.plan(yard, vp.with_site(table), max_iterations=50)
+    assert result and result.cost < 1.2 * table.cost(yard.start)
+    again = vp.plan(yard, pickle.loads(pickle.dumps(vp.with_site(table))), max_iterations=50)
+    assert again.path == result.path
+
+
+def test_a_table_is_bound_to_its_world_and_prices(yard, table):
+    wall = [(-20, 5), (16, 5), (16, 7), (-20, 7)]
+    other = vp.Scenario((0, 0, 0), (0, 12, 0), bounds=(-50, 50, -50, 50), obstacles=[wall])
+    with pytest.raises(vp.InputError, match="made for another world"):
+        vp.plan(other, vp.with_site(table))
+    with pytest.raises(vp.InputError, match="made for other options"):
+        table.way(yard, reverse_weight=3)
+    with pytest.raises(vp.InputError, match="the table has no such goal"):
+        table.way(yard.with_poses(goal=(0, 13, 0)))
+
+
+def test_a_matrix_has_a_row_for_each_start(yard, table):
+    starts = [(0, 0, 0), (20, 0, 1), (0, 6, 0)]
+    cost, bound = vp.matrix(yard, starts, table, jobs=2)
+    assert cost.shape == bound.shape == (3, 2)
+    assert (bound <= cost).all() and np.isinf(cost[2]).all() and np.isfinite(cost[:2]).all()
+    made, _ = vp.matrix(yard, starts[:1], [(0, 12, 0)])
+    assert np.allclose(made[0, 0], cost[0, 0], rtol=0.1)
+
+
+def test_a_table_is_kept_in_a_file(yard, table, tmp_path):
+    file = tmp_path / "yard.vst"
+    table.save(file)
+    read = vp.read_site_table(file)
+    assert pickle.loads(pickle.dumps(read)).cost((3, 1, 2)) == table.cost((3, 1, 2))
+    file.write_bytes(file.read_bytes()[:-1])
+    with pytest.raises(vp.InputError, match="yard.vst: truncated"):
+        vp.read_site_table(file)
