@@ -51,7 +51,7 @@ DrivenBeside driven_at_ends(const Task& task, GearSign initial) {
   };
   const GearSign before = initial != 0 ? initial : task.beyond.start;
   return {{before, curvature(task.curvatures.start, rolling_beyond(task, true))},
-          {0, curvature(task.curvatures.goal, rolling_beyond(task, false))}};
+          {task.beyond.goal, curvature(task.curvatures.goal, rolling_beyond(task, false))}};
 }
 
 DrivenBeside fitted_driven(const Task& task, const DrivenBeside& beside) {

@@ -74,6 +74,11 @@ TEST_P(NastyWorlds, KeepNoPromiseFromBeingKeptInTheLongRun) {
 
 INSTANTIATE_TEST_SUITE_P(Share, NastyWorlds, testing::Range(0, 4));
 
+// A detour from the goal back must not turn the wheels where the vehicle rolls on.
+TEST(NastyWorlds, RollIntoTheStraightEnd) {
+  for (const std::string& fault : try_world_of_goals(501410).faults) ADD_FAILURE() << fault;
+}
+
 // A short path, where two rules for the sum of what is near were wrong by as much at a kink.
 TEST(NastyWorlds, SumWhatIsNearAlikeOnAShortPath) {
   for (const std::string& fault : try_world(30020567).faults) ADD_FAILURE() << fault;

@@ -100,7 +100,7 @@ void Ladder::next_guide() {
 DrivenBeside Ladder::driven_beside_route(const CostRule& rule) const {
   if (root_ == Root::start) return driven_at_ends(task_, rule.initial_gear);
   const auto [before, after] = driven_at_ends(task_);
-  return {{-task_.beyond.goal, after.curvature}, {0, before.curvature}};
+  return {{-after.gear, after.curvature}, {0, before.curvature}};
 }
 
 void Ladder::next_search() {

@@ -116,7 +116,7 @@ RigSearch::RigSearch(const Task& task, const CostRule& rule, const Guides& guide
       sides_{
           side_from(start_state(task), goal_state(task), ends_.before, priced(rule),
                     guides.to_goal),
-          side_from(goal_state(task), start_state(task), {-task.beyond.goal, ends_.after.curvature},
+          side_from(goal_state(task), start_state(task), {-ends_.after.gear, ends_.after.curvature},
                     search::reversed(priced(rule), 0), guides.to_start)} {}
 
 RigSearch::Side RigSearch::side_from(const State& root, const State& target, const Driven& before,
