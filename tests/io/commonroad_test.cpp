@@ -20,7 +20,7 @@ namespace {
 
 using std::numbers::pi;
 
-std::string example() {
+std::string street_example() {
   return read_file((repository() / "examples" / "street.xml").string(), 1 << 20);
 }
 
@@ -29,15 +29,15 @@ class CommonRoad : public ReaderTest {
   CommonRoadCase one(const std::string& text) { return {.file = folder_.put("a.xml", text)}; }
   RoadScenario read(const std::string& text) { return read_commonroad(one(text)); }
   Scenario with(const std::string& part, const std::string& by) {
-    return read(exchanged(example(), part, by)).file.scenario;
+    return read(exchanged(street_example(), part, by)).file.scenario;
   }
   std::string message(const std::string& part, const std::string& by) {
-    return message_of([&] { return read(exchanged(example(), part, by)); });
+    return message_of([&] { return read(exchanged(street_example(), part, by)); });
   }
 };
 
 TEST_F(CommonRoad, AStreetBecomesAScenario) {
-  const RoadScenario made = read(example());
+  const RoadScenario made = read(street_example());
   const Scenario& scenario = made.file.scenario;
   EXPECT_EQ(scenario.name, "ZAM_Street-1_1_T-1");
   EXPECT_EQ(scenario.start, (Pose{6, -2, 0}));
@@ -73,7 +73,7 @@ TEST_F(CommonRoad, LaneletsAreOneWayUnlessVehiclesDriveBothWays) {
   EXPECT_EQ(scenario.zones[0].name, "lanelet 1");
   EXPECT_EQ(scenario.zones[0].direction, (HeadingRange{-1.5708, 1.5708}));
   EXPECT_EQ(with(both, "<userBidirectional>bicycle</userBidirectional>").zones.size(), 1U);
-  CommonRoadCase given = one(exchanged(example(), both, ""));
+  CommonRoadCase given = one(exchanged(street_example(), both, ""));
   given.rules = {.both_ways = true, .open_edges = true};
   given.vehicle = vehicle_named("van");
   const Scenario open = read_commonroad(given).file.scenario;
@@ -94,7 +94,7 @@ TEST_F(CommonRoad, SpeedLimitsAreOfLaneletsOrSigns) {
       "<trafficSign id=\"9\"><trafficSignElement><trafficSignID>206</trafficSignID>"
       "</trafficSignElement></trafficSign><intersection id=\"7\"/></commonRoad>";
   const RoadScenario made = read(exchanged(
-      exchanged(example(), "</commonRoad>", signs), both,
+      exchanged(street_example(), "</commonRoad>", signs), both,
       "<userBidirectional>vehicle</userBidirectional><trafficSignRef ref=\"9\"/><trafficSignRef "
       "ref=\"8\"/><stopLine/></lanelet><static"));
   ASSERT_EQ(made.file.scenario.zones.size(), 1U);
@@ -147,7 +147,7 @@ TEST_F(CommonRoad, GoalsHaveAllKindsOfPlaces) {
 
 TEST_F(CommonRoad, TimesCountFromTheStartOfTheVehicle) {
   const std::string text =
-      exchanged(example(), "<exact>0</exact></time><velocity><exact>0</exact></velocity>",
+      exchanged(street_example(), "<exact>0</exact></time><velocity><exact>0</exact></velocity>",
                 "<exact>10</exact></time><velocity><exact>3</exact></velocity>");
   const RoadScenario made = read(text);
   EXPECT_DOUBLE_EQ(made.file.scenario.moving[0].trajectory[1].t, 3);
@@ -157,13 +157,13 @@ TEST_F(CommonRoad, TimesCountFromTheStartOfTheVehicle) {
 
 TEST_F(CommonRoad, ObstaclesOf2018AreRead) {
   const std::string role = "<obstacle id=\"3\"><role>static</role>";
-  std::string text = exchanged(example(), "<staticObstacle id=\"3\">", role);
+  std::string text = exchanged(street_example(), "<staticObstacle id=\"3\">", role);
   text = exchanged(text, "</staticObstacle>", "</obstacle>");
   text = exchanged(text, "<dynamicObstacle id=\"4\">", "<obstacle id=\"4\"><role>dynamic</role>");
   text = exchanged(text, "</dynamicObstacle>", "</obstacle>");
   const Scenario scenario = read(text).file.scenario;
-  EXPECT_EQ(scenario.obstacles, read(example()).file.scenario.obstacles);
-  EXPECT_EQ(scenario.moving, read(example()).file.scenario.moving);
+  EXPECT_EQ(scenario.obstacles, read(street_example()).file.scenario.obstacles);
+  EXPECT_EQ(scenario.moving, read(street_example()).file.scenario.moving);
 }
 
 TEST_F(CommonRoad, WhatIsWrongHasOneLine) {
@@ -198,7 +198,7 @@ TEST_F(CommonRoad, WhatIsWrongHasOneLine) {
 }
 
 TEST_F(CommonRoad, ADriveBecomesASolution) {
-  const CommonRoadCase street = one(example());
+  const CommonRoadCase street = one(street_example());
   const Scenario scenario = read_commonroad(street).file.scenario;
   PlanOptions options;
   options.budget.max_iterations = 3000;
@@ -240,7 +240,7 @@ TEST_F(CommonRoad, ADriveBecomesASolution) {
 
 TEST_F(CommonRoad, ASolutionSaysWhatCommonRoadMayRefuse) {
   const auto warnings = [&](const std::string& part, const std::string& by) {
-    const CommonRoadCase street = one(exchanged(example(), part, by));
+    const CommonRoadCase street = one(exchanged(street_example(), part, by));
     const Pose start = read_commonroad(street).file.scenario.start;
     PlanResult result;
     result.path = Path{start, {Segment{0, 60, 0}}};
@@ -260,7 +260,7 @@ TEST_F(CommonRoad, ASolutionSaysWhatCommonRoadMayRefuse) {
                      "<velocity><intervalStart>3</intervalStart><intervalEnd>9</intervalEnd>"
                      "</velocity></goalState>"),
             "a.xml:50: the drive ends at rest, expected 3 to 9 m/s");
-  CommonRoadCase street = one(example());
+  CommonRoadCase street = one(street_example());
   EXPECT_EQ(message_of([&] { return commonroad_solution(street, {}); }),
             "result: has no path, expected one");
   street.vehicle = vehicle_named("van");

@@ -17,7 +17,7 @@ namespace {
 
 using std::numbers::pi;
 
-std::string example() {
+std::string lanelet_example() {
   return read_file((repository() / "examples" / "lanelets.osm").string(), 1 << 20);
 }
 
@@ -36,7 +36,7 @@ class Lanelet2 : public ReaderTest {
 };
 
 TEST_F(Lanelet2, ARoadWithACarParkBecomesAScenario) {
-  const RoadScenario made = read(example());
+  const RoadScenario made = read(lanelet_example());
   const Scenario& scenario = made.file.scenario;
   EXPECT_EQ(scenario.name, "a");
   EXPECT_EQ(scenario.vehicle, vehicle_named("tpcap-car"));
@@ -58,10 +58,10 @@ TEST_F(Lanelet2, ARoadWithACarParkBecomesAScenario) {
 }
 
 TEST_F(Lanelet2, EdgesMayHaveAnyDirection) {
-  const Scenario as_is = read(example()).file.scenario;
+  const Scenario as_is = read(lanelet_example()).file.scenario;
   const std::string middle = "<nd ref='5'/><nd ref='6'/>";
   const Scenario turned =
-      read(exchanged(example(), middle, "<nd ref='6'/><nd ref='5'/>")).file.scenario;
+      read(exchanged(lanelet_example(), middle, "<nd ref='6'/><nd ref='5'/>")).file.scenario;
   ASSERT_EQ(turned.zones.size(), 2U);
   EXPECT_EQ(turned.zones[0].direction, as_is.zones[0].direction);
   EXPECT_EQ(turned.zones[1].direction, as_is.zones[1].direction);
@@ -71,19 +71,19 @@ TEST_F(Lanelet2, TagsSayWhoDrivesThere) {
   const std::string road = "<tag k='type' v='lanelet'/><tag k='subtype' v='road'/>";
   const std::string lanelet = "<tag k='type' v='lanelet'/>";
   const auto zones = [&](const std::string& by) {
-    return read(exchanged(example(), road, lanelet + by)).file.scenario.zones.size();
+    return read(exchanged(lanelet_example(), road, lanelet + by)).file.scenario.zones.size();
   };
   EXPECT_EQ(zones("<tag k='subtype' v='road'/><tag k='one_way' v='no'/>"), 1U);
   EXPECT_EQ(zones("<tag k='subtype' v='bicycle_lane'/><tag k='participant:vehicle' v='yes'/>"), 2U);
   EXPECT_EQ(zones("<tag k='subtype' v='bus_lane'/>"), 2U);
   // Now the start is beside the ground.
-  EXPECT_EQ(message(exchanged(example(), road, lanelet + "<tag k='subtype' v='walkway'/>")),
+  EXPECT_EQ(message(exchanged(lanelet_example(), road, lanelet + "<tag k='subtype' v='walkway'/>")),
             "--start: is at 5, -1.75, beside all lanes and areas, expected a place on one of them");
   const std::string no_cars =
       lanelet + "<tag k='subtype' v='road'/><tag k='participant:vehicle' v='no'/>";
-  EXPECT_NE(message(exchanged(example(), road, no_cars)), "no error");
+  EXPECT_NE(message(exchanged(lanelet_example(), road, no_cars)), "no error");
   const RoadScenario crosswalk =
-      read(exchanged(example(), "</osm>",
+      read(exchanged(lanelet_example(), "</osm>",
                      "<relation id='9'><tag k='type' v='lanelet'/><tag k='subtype' v='crosswalk'/>"
                      "</relation></osm>"));
   EXPECT_EQ(crosswalk.file.warnings, std::vector<std::string>{"left out: lanelet crosswalk (1)"});
@@ -92,7 +92,7 @@ TEST_F(Lanelet2, TagsSayWhoDrivesThere) {
 TEST_F(Lanelet2, SpeedLimitsHaveUnits) {
   const std::string road = "<tag k='type' v='lanelet'/><tag k='subtype' v='road'/>";
   const auto limited = [&](const std::string& limit) {
-    return exchanged(example(), road, road + "<tag k='speed_limit' v='" + limit + "'/>");
+    return exchanged(lanelet_example(), road, road + "<tag k='speed_limit' v='" + limit + "'/>");
   };
   const auto zones = [&](const std::string& limit) {
     return read(limited(limit)).file.scenario.zones;
@@ -110,7 +110,7 @@ TEST_F(Lanelet2, SpeedLimitsHaveUnits) {
 
 TEST_F(Lanelet2, WhatIsNotReadIsAWarning) {
   const RoadScenario made = read(exchanged(
-      exchanged(example(), "<tag k='local_x' v='20'/>",
+      exchanged(lanelet_example(), "<tag k='local_x' v='20'/>",
                 "<tag k='local_x' v='20'/><tag k='ele' v='1'/><tag k='type' v='pole'/>"),
       "</osm>",
       "<node id='50'><tag k='local_x' v='1'/><tag k='local_y' v='1'/><tag k='ele' v='2'/></node>"
@@ -127,7 +127,8 @@ TEST_F(Lanelet2, AreasAndWaysAreGroundOrObstacles) {
   // 10 walls; without the car park 8: the edge of the road has three sides.
   const auto obstacles = [&](const std::string& from, const std::string& to) {
     const Pose goal{40, -1.75, 0};
-    return read(exchanged(example(), from, to), {5, -1.75, 0}, goal).file.scenario.obstacles;
+    return read(exchanged(lanelet_example(), from, to), {5, -1.75, 0}, goal)
+        .file.scenario.obstacles;
   };
   EXPECT_EQ(obstacles(parking, "<tag k='subtype' v='walkway'/>").size(), 8U);
   const std::vector<Polygon> building = obstacles(parking, "<tag k='subtype' v='building'/>");
@@ -138,8 +139,8 @@ TEST_F(Lanelet2, AreasAndWaysAreGroundOrObstacles) {
                                                "<nd ref='10'/><tag k='type' v='fence'/></way>");
   EXPECT_EQ(fence.size(), 11U);
   const std::string curb = "<tag k='type' v='curbstone'/></way>\n  <way id='12'>";
-  EXPECT_TRUE(read(example()).file.scenario.kerbs.empty());
-  EXPECT_EQ(read(exchanged(example(), curb, "<tag k='subtype' v='high'/>" + curb))
+  EXPECT_TRUE(read(lanelet_example()).file.scenario.kerbs.empty());
+  EXPECT_EQ(read(exchanged(lanelet_example(), curb, "<tag k='subtype' v='high'/>" + curb))
                 .file.scenario.kerbs.size(),
             3U);
   // Autoware's ways: a lot, and a space along its middle line with a width.
@@ -147,13 +148,13 @@ TEST_F(Lanelet2, AreasAndWaysAreGroundOrObstacles) {
       "<way id='31'><nd ref='5'/><nd ref='9'/><nd ref='1'/><tag k='type' v='parking_lot'/></way>"
       "<way id='32'><nd ref='9'/><nd ref='10'/><tag k='type' v='parking_space'/>"
       "<tag k='width' v='3'/></way></osm>";
-  const RoadScenario made = read(exchanged(example(), "</osm>", ways));
+  const RoadScenario made = read(exchanged(lanelet_example(), "</osm>", ways));
   EXPECT_EQ(made.notes[0], "lanes: 2, areas: 3, zones: 2");
 }
 
 TEST_F(Lanelet2, DegreesBecomeMetres) {
   if (!reads_longitudes()) GTEST_SKIP() << "built without GeographicLib";
-  std::string text = example();
+  std::string text = lanelet_example();
   // 0.0001 degrees are 11.1 m at the equator: the same road at another scale.
   for (std::size_t at = text.find("lat='0' lon='0'"); at != std::string::npos;
        at = text.find("lat='0' lon='0'")) {
@@ -181,7 +182,7 @@ TEST_F(Lanelet2, DegreesBecomeMetres) {
 
 TEST_F(Lanelet2, WhatIsWrongHasOneLine) {
   const auto with = [&](const std::string& part, const std::string& by) {
-    return message(exchanged(example(), part, by));
+    return message(exchanged(lanelet_example(), part, by));
   };
   EXPECT_EQ(message("osm"),
             "a.osm:1: is no XML (No document element found), expected a map of "

@@ -19,7 +19,7 @@ namespace {
 
 using std::numbers::pi;
 
-std::string example() {
+std::string road_example() {
   return read_file((repository() / "examples" / "road.xodr").string(), 1 << 20);
 }
 
@@ -107,7 +107,7 @@ TEST_F(OpenDrive, PolynomialsAreReadByLengthOrShare) {
 }
 
 TEST_F(OpenDrive, ARoadWithAParkingSpaceBecomesAScenario) {
-  const RoadScenario made = read(example(), {5, -1.75, 0}, {51.75, 50, pi / 2});
+  const RoadScenario made = read(road_example(), {5, -1.75, 0}, {51.75, 50, pi / 2});
   const Scenario& scenario = made.file.scenario;
   EXPECT_EQ(scenario.name, "a");
   EXPECT_EQ(made.notes[0].substr(0, 19), "lanes: 2, areas: 1,");
@@ -133,7 +133,7 @@ TEST_F(OpenDrive, ARoadWithAParkingSpaceBecomesAScenario) {
 }
 
 TEST_F(OpenDrive, EdgesAreNearTheirCurves) {
-  const Scenario scenario = read(example(), {5, -1.75, 0}, {51.75, 50, pi / 2}).file.scenario;
+  const Scenario scenario = read(road_example(), {5, -1.75, 0}, {51.75, 50, pi / 2}).file.scenario;
   int corners = 0;
   for (const Zone& zone : scenario.zones) {
     for (std::size_t i = 0; i < zone.area.size(); ++i) {

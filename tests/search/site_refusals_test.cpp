@@ -22,9 +22,9 @@ using namespace sites;
 TEST(SiteRefusal, HoldsForAnyStartAndSteering) {
   Scenario scenario{.bounds = area, .start = {-20.3, 10.7, 1}, .goal = {5.1, 3.3, 2}};
   scenario.obstacles = {{{0.1, 0.2}, {1.7, 0.3}, {0.9, 2.2}}};
-  const SiteTable table = table_to(make_problem(scenario), driver());
+  const SiteTable table = table_to(make_problem(scenario), drivers_options());
   scenario.start = {21.9, -12.4, 0};
-  PlanOptions options = driver();
+  PlanOptions options = drivers_options();
   options.steering = Steering::continuous;
   const Problem other = make_problem(scenario);
   EXPECT_NE(other.world()->origin(), make_problem({.bounds = area}).world()->origin());
@@ -34,26 +34,26 @@ TEST(SiteRefusal, HoldsForAnyStartAndSteering) {
 TEST(SiteRefusal, IsRefusedForAnotherWorldVehicleOrPrices) {
   const std::vector<Polygon> wall = {box(-5, 5, 30, 6)};
   const Problem problem = problem_of({20, 0, 0}, {0, 0, 0}, wall, area);
-  const SiteTable table = table_to(problem, driver());
+  const SiteTable table = table_to(problem, drivers_options());
   const auto told = [&](const Problem& other, const PlanOptions& options) {
     return refusal([&] { (void)site_way(table, other, options); });
   };
-  EXPECT_EQ(told(problem, driver()), "no refusal");
+  EXPECT_EQ(told(problem, drivers_options()), "no refusal");
   const std::vector<Polygon> longer = {box(-5, 5, 31, 6)};
-  EXPECT_EQ(told(problem_of({20, 0, 0}, {0, 0, 0}, longer, area), driver()),
+  EXPECT_EQ(told(problem_of({20, 0, 0}, {0, 0, 0}, longer, area), drivers_options()),
             "site: the table was made for another world: bounds, obstacles, maps or zones differ");
   const Vehicle wide{.width = 2.6};
-  EXPECT_EQ(told(problem_of({20, 0, 0}, {0, 0, 0}, wall, area, wide), driver()),
+  EXPECT_EQ(told(problem_of({20, 0, 0}, {0, 0, 0}, wall, area, wide), drivers_options()),
             "site: the table was made for another vehicle: its body, radius or trailer differs");
-  PlanOptions other = driver();
+  PlanOptions other = drivers_options();
   other.cost.reverse_weight = 3;
   EXPECT_EQ(told(problem, other),
             "site: the table was made for other options: prices, gears or margin differ");
-  other = driver();
+  other = drivers_options();
   other.clearance.margin = 0.1;
   EXPECT_EQ(told(problem, other),
             "site: the table was made for other options: prices, gears or margin differ");
-  EXPECT_EQ(told(problem_of({20, 0, 0}, {0, 1, 0}, wall, area), driver()),
+  EXPECT_EQ(told(problem_of({20, 0, 0}, {0, 1, 0}, wall, area), drivers_options()),
             "site: the table has no such goal, expected one of its 1");
   EXPECT_EQ(refusal([&] { table.expect_made_for(problem, other); }),
             "site: the table was made for other options: prices, gears or margin differ");
@@ -64,9 +64,10 @@ TEST(SiteRefusal, IsRefusedWithOtherZones) {
   const auto problem_with = [](const Zone& zone) {
     return make_problem(with_zones({-20, 0, 0}, {20, 0, 0}, {zone}));
   };
-  const SiteTable table = table_to(problem_with(dear), driver());
+  const SiteTable table = table_to(problem_with(dear), drivers_options());
   const auto told = [&](const Zone& zone) {
-    return refusal([&] { table.expect_made_for(problem_with(zone), driver()); }).substr(0, 41);
+    return refusal([&] { table.expect_made_for(problem_with(zone), drivers_options()); })
+        .substr(0, 41);
   };
   EXPECT_EQ(told(dear), "no refusal");
   Zone other = dear;
@@ -88,23 +89,23 @@ TEST(SiteRefusal, IsRefusedWithOtherZones) {
 
 TEST(SiteRefusal, IsRefusedForMovingObstaclesAndTrailers) {
   const Problem problem = problem_of({20, 0, 0}, {0, 0, 0}, {box(9, 9, 12, 12)}, area);
-  const SiteTable table = table_to(problem, driver());
+  const SiteTable table = table_to(problem, drivers_options());
   const MovingObstacle crossing{.outline = box(-1, -1, 1, 1),
                                 .trajectory = {{0.0, {0, 30, 0}}, {9.0, {0, -30, 0}}}};
   const Problem busy = with_moving(problem, std::vector{crossing});
   EXPECT_EQ(refusal([&] { (void)plan(busy, with_site(table), {}); }),
             "site: expected no moving obstacles: a table knows none");
   EXPECT_EQ(refusal([&] {
-              (void)site_matrix(table, busy, std::vector<Pose>{{20, 0, 0}}, driver());
+              (void)site_matrix(table, busy, std::vector<Pose>{{20, 0, 0}}, drivers_options());
             }),
             "site: expected no moving obstacles: a table knows none");
-  EXPECT_EQ(refusal([&] { (void)table_to(busy, driver()); }),
+  EXPECT_EQ(refusal([&] { (void)table_to(busy, drivers_options()); }),
             "moving: expected none: a table knows no moving obstacles");
   const Problem rig = problem_of({20, 0, 0}, {0, 0, 0}, {box(9, 9, 12, 12)}, area, semitrailer());
   EXPECT_EQ(refusal([&] { (void)plan(rig, with_site(table), {}); }),
             "site: the table was made for another vehicle: its body, radius or trailer differs");
   const Problem any = with_goal_set(problem, {region_of_pose({0, 0, 0})});
-  EXPECT_EQ(refusal([&] { (void)site_way(table, any, driver()); }),
+  EXPECT_EQ(refusal([&] { (void)site_way(table, any, drivers_options()); }),
             "site: expected one goal, no set of goals or vias");
 }
 
@@ -115,28 +116,28 @@ TEST(SiteRefusal, IsRefusedWithOptionsOutOfRange) {
     return refusal([&] { (void)make_site_table(problem, goals, options, table); });
   };
   const std::vector<Pose> goals = {{0, 0, 0}};
-  EXPECT_EQ(told({}, coarse, driver()), "goals: expected at least one");
-  EXPECT_EQ(told(goals, {.headings = 7}, driver()), "headings: expected 8 to 256");
-  EXPECT_EQ(told(goals, {.cell = 2}, driver()), "cell: expected 0.01 to 1 turning radii");
-  EXPECT_EQ(told(goals, {.threads = 0}, driver()), "threads: expected 1 to 256");
-  EXPECT_EQ(told({{0, 0, 0}, {10, 10, 0}}, coarse, driver()), "goals[1]: is not free");
-  PlanOptions by_time = driver();
+  EXPECT_EQ(told({}, coarse, drivers_options()), "goals: expected at least one");
+  EXPECT_EQ(told(goals, {.headings = 7}, drivers_options()), "headings: expected 8 to 256");
+  EXPECT_EQ(told(goals, {.cell = 2}, drivers_options()), "cell: expected 0.01 to 1 turning radii");
+  EXPECT_EQ(told(goals, {.threads = 0}, drivers_options()), "threads: expected 1 to 256");
+  EXPECT_EQ(told({{0, 0, 0}, {10, 10, 0}}, coarse, drivers_options()), "goals[1]: is not free");
+  PlanOptions by_time = drivers_options();
   by_time.cost = {.measure = CostMeasure::time};
   EXPECT_EQ(told(goals, coarse, by_time), "cost: expected prices: a table knows no times");
   EXPECT_EQ(refusal([&] {
               const Problem rig = problem_of({20, 0, 0}, {0, 0, 0}, {}, area, semitrailer());
-              (void)make_site_table(rig, goals, driver(), coarse);
+              (void)make_site_table(rig, goals, drivers_options(), coarse);
             }),
             "trailers: expected none: a table knows no trailers");
   const Problem wide = problem_of({}, {0, 0, 0}, {box(1e5, 0, 1e5 + 1, 1), box(0, 1e5, 1, 1e5 + 1)},
                                   {-1e6, 1e6, -1e6, 1e6});
-  EXPECT_EQ(refusal([&] { (void)make_site_table(wide, goals, driver(), coarse); }),
+  EXPECT_EQ(refusal([&] { (void)make_site_table(wide, goals, drivers_options(), coarse); }),
             "cell: expected larger cells: the site has too many");
 }
 
 TEST(SiteRefusal, StopsAPlanForAnotherWorld) {
   const Problem problem = problem_of({20, 0, 0}, {0, 0, 0}, {}, area);
-  const SiteTable table = table_to(problem, driver());
+  const SiteTable table = table_to(problem, drivers_options());
   const Problem other = problem_of({20, 0, 0}, {0, 0, 0}, {box(9, 9, 12, 12)}, area);
   EXPECT_EQ(refusal([&] { (void)plan(other, with_site(table), {}); }),
             "site: the table was made for another world: bounds, obstacles, maps or zones differ");

@@ -60,7 +60,7 @@ TEST(SiteTable, WaysAreAcceptedByTheJudgeAtTheirCost) {
   int ways = 0;
   for_each_case(1, 12, [&](Rng& rng) {
     const Problem problem = make_problem(yard(rng));
-    for (const PlanOptions& options : {driver(), shortest()}) {
+    for (const PlanOptions& options : {drivers_options(), length_options()}) {
       const SiteTable table = table_to(problem, options);
       for (int i = 0; i < 10; ++i) {
         const Problem other = from(problem, uniform_pose({-30, 30, -30, 30}, rng), problem.goal());
@@ -81,7 +81,7 @@ TEST(SiteTable, WaysOnOpenGroundCostLittleMoreThanTheShortest) {
   // Specks in two corners make the table as large as the area.
   const std::vector<Polygon> specks = {box(39, 39, 40, 40), box(-40, -40, -39, -39)};
   const Problem problem = problem_of({20, 0, 0}, {0, 0, 0}, specks, area);
-  const PlanOptions options = shortest();
+  const PlanOptions options = length_options();
   const SiteTable table = table_to(problem, options);
   double sum = 0.0;
   double least = 0.0;
@@ -100,7 +100,7 @@ TEST(SiteTable, WaysOnOpenGroundCostLittleMoreThanTheShortest) {
 
 TEST(SiteTable, CostsAreThoseOfTheWays) {
   const Problem problem = problem_of({20, 0, 0}, {0, 0, 0}, {box(-5, 5, 30, 6)}, area);
-  const PlanOptions options = driver();
+  const PlanOptions options = drivers_options();
   const SiteTable table = table_to(problem, options);
   double sum = 0.0;
   int ways = 0;
@@ -118,7 +118,7 @@ TEST(SiteTable, CostsAreThoseOfTheWays) {
 
 TEST(SiteTable, EveryStepLeadsNearerToTheGoal) {
   const Problem problem = problem_of({20, 0, 0}, {3, 2, 1}, {box(-5, 12, 30, 14)}, area);
-  const SiteTable table = table_to(problem, driver());
+  const SiteTable table = table_to(problem, drivers_options());
   const SiteData& data = table.data();
   int states = 0;
   int goals = 0;
@@ -150,15 +150,15 @@ TEST(SiteTable, EveryStepLeadsNearerToTheGoal) {
 TEST(SiteTable, KnowsNoWayThroughAWall) {
   const std::vector<Polygon> wall = {box(-40, 5, 40, 6)};
   const Problem problem = problem_of({20, 20, 0}, {0, 0, 0}, wall, area);
-  const SiteTable table = table_to(problem, driver());
+  const SiteTable table = table_to(problem, drivers_options());
   EXPECT_TRUE(std::isinf(table.cost({20, 20, 0}, 0)));
   EXPECT_TRUE(std::isinf(table.cost({1000, 0, 0}, 0)));
   EXPECT_FALSE(std::isinf(table.cost({20, -15, 0}, 0)));
-  EXPECT_FALSE(site_way(table, problem, driver()));
+  EXPECT_FALSE(site_way(table, problem, drivers_options()));
 }
 
 TEST(SiteTable, KeepsToOneGear) {
-  PlanOptions options = driver();
+  PlanOptions options = drivers_options();
   options.cost.gears = AllowedGears::forward;
   const Problem problem = problem_of({-20, 10, 0}, {0, 0, 0}, {box(-12, -3, -8, 3)}, area);
   const auto way = site_way(table_to(problem, options), problem, options);
@@ -167,12 +167,12 @@ TEST(SiteTable, KeepsToOneGear) {
 }
 
 TEST(SiteTable, KeepsTheMargin) {
-  PlanOptions options = driver();
+  PlanOptions options = drivers_options();
   options.clearance.margin = 0.5;
   const std::vector<Polygon> gate = {box(-1, 1.6, 1, 40), box(-1, -40, 1, -1.6)};
   const Problem problem = problem_of({-20, 0, 0}, {20, 0, 0}, gate, area);
   const SiteTableOptions fine;
-  EXPECT_TRUE(site_way(table_to(problem, driver(), fine), problem, driver()));
+  EXPECT_TRUE(site_way(table_to(problem, drivers_options(), fine), problem, drivers_options()));
   EXPECT_FALSE(site_way(table_to(problem, options, fine), problem, options));
 }
 
@@ -185,11 +185,11 @@ TEST(SiteTable, WaysKeepToTheRulesOfZones) {
                   {.area = box(12, -40, 16, -5), .closed = true}});
   scenario.obstacles = {box(0, 9, 8, 40), box(0, -40, 8, -9)};
   const Problem problem = make_problem(scenario);
-  const SiteTable table = table_to(problem, driver());
+  const SiteTable table = table_to(problem, drivers_options());
   int ways = 0;
   for_each_case(6, 40, [&](Rng& rng) {
     const Problem other = from(problem, uniform_pose({-35, 30, -30, 30}, rng), problem.goal());
-    const auto way = site_way(table, other, driver());
+    const auto way = site_way(table, other, drivers_options());
     if (!way) return;
     ++ways;
     const PathCheck check = check_path(other, way->path);
@@ -205,12 +205,12 @@ TEST(SiteTable, WaysLeadAroundDearGround) {
   const Problem problem = make_problem(scenario);
   scenario.zones.clear();
   const Problem cheap = make_problem(scenario);
-  const auto way = site_way(table_to(problem, driver()), problem, driver());
+  const auto way = site_way(table_to(problem, drivers_options()), problem, drivers_options());
   ASSERT_TRUE(way);
   EXPECT_GT(way->path.segments.size(), 1U);
-  EXPECT_NEAR(way->cost, cost_of(problem, way->path, driver().cost), 0.05);
+  EXPECT_NEAR(way->cost, cost_of(problem, way->path, drivers_options().cost), 0.05);
   EXPECT_LT(way->cost, 60);  // 80 straight on
-  const auto straight = site_way(table_to(cheap, driver()), cheap, driver());
+  const auto straight = site_way(table_to(cheap, drivers_options()), cheap, drivers_options());
   ASSERT_TRUE(straight);
   EXPECT_LT(straight->cost, 42);
 }
@@ -220,13 +220,13 @@ TEST(SiteTable, WaysLeadAroundDearGround) {
 TEST(SiteMatrix, HoldsTheCostsOfAllPairs) {
   const Problem problem = problem_of({20, 0, 0}, {0, 0, 0}, {box(9, 9, 12, 12)}, area);
   const std::vector<Pose> goals = {{0, 0, 0}, {10, -5, 2}};
-  const SiteTable table = make_site_table(problem, goals, driver(), coarse).value();
+  const SiteTable table = make_site_table(problem, goals, drivers_options(), coarse).value();
   const std::vector<Pose> starts = {{18, 15, 0}, {10, 10, 0}, {-9, 3, 2}};
-  const std::vector<SiteCost> costs = site_matrix(table, problem, starts, driver(), 2);
+  const std::vector<SiteCost> costs = site_matrix(table, problem, starts, drivers_options(), 2);
   ASSERT_EQ(costs.size(), 6U);
   for (std::size_t i = 0; i < costs.size(); ++i) {
     const Problem pair = from(problem, starts[i / 2], goals[i % 2]);
-    const auto way = site_way(table, pair, driver());
+    const auto way = site_way(table, pair, drivers_options());
     EXPECT_GT(costs[i].lower_bound, 0.0);
     if (i / 2 == 1) {  // not free
       EXPECT_TRUE(std::isinf(costs[i].cost));
@@ -238,7 +238,7 @@ TEST(SiteMatrix, HoldsTheCostsOfAllPairs) {
   }
   EXPECT_EQ(refusal([&] {
               const std::vector<Pose> far = {{18, 15, 0}, {1e300, 0, 0}};
-              (void)site_matrix(table, problem, far, driver());
+              (void)site_matrix(table, problem, far, drivers_options());
             }).substr(0, 10),
             "starts[1]:");
 }
@@ -265,17 +265,17 @@ TEST(SiteTable, ThreadsChangeNothing) {
   SiteTableOptions options = coarse;
   std::size_t done = 0;
   options.progress = [&done](std::size_t goals_done) { EXPECT_EQ(goals_done, ++done); };
-  const SiteTable one = make_site_table(problem, goals, driver(), options).value();
+  const SiteTable one = make_site_table(problem, goals, drivers_options(), options).value();
   EXPECT_EQ(done, goals.size());
   options.threads = 3;
   options.progress = {};
-  const SiteTable three = make_site_table(problem, goals, driver(), options).value();
+  const SiteTable three = make_site_table(problem, goals, drivers_options(), options).value();
   EXPECT_EQ(site_table_to_bytes(one), site_table_to_bytes(three));
   EXPECT_EQ(one.goals(), goals);
   for (std::size_t i = 0; i < goals.size(); ++i) {
     EXPECT_EQ(one.cost(goals[i], i), 0.0);
     EXPECT_GT(one.cost(goals[i], (i + 1) % goals.size()), 5.0);
-    const auto way = site_way(one, from(problem, {20, 0, 0}, goals[i]), driver());
+    const auto way = site_way(one, from(problem, {20, 0, 0}, goals[i]), drivers_options());
     ASSERT_TRUE(way);
     EXPECT_EQ(way->goal, i);
   }
@@ -288,7 +288,7 @@ TEST(SiteTable, IsNotMadeWhenStopped) {
   options.stop = stop.get_token();
   options.progress = [&stop](std::size_t) { stop.request_stop(); };
   const std::vector<Pose> goals = {{0, 0, 0}, {10, -5, 2}};
-  EXPECT_FALSE(make_site_table(problem, goals, driver(), options));
+  EXPECT_FALSE(make_site_table(problem, goals, drivers_options(), options));
 }
 
 // ---- planning ----
@@ -317,7 +317,7 @@ TEST(SiteTable, BeginsTheSearchesForTheGoalsOfASet) {
   const std::vector<Polygon> wall = {box(-38, 9, 30, 10)};
   const Problem problem = problem_of({-20, 20, 0}, {0, 0, 0}, wall, area);
   const std::vector<Pose> docks = {{0, 0, 0}, {-20, -10, 1}};
-  const SiteTable table = make_site_table(problem, docks, driver(), coarse).value();
+  const SiteTable table = make_site_table(problem, docks, drivers_options(), coarse).value();
   PlanOptions options;
   options.budget.max_iterations = 40;  // too few without a table
   const Problem any = with_goal_set(problem, {region_of_pose(docks[0]), region_of_pose(docks[1])});

@@ -15,9 +15,11 @@ namespace vandplan::sites {
 inline constexpr Bounds area{-40, 40, -40, 40};
 inline const SiteTableOptions coarse{.headings = 24, .cell = 0.25};
 
-inline PlanOptions driver() { return complete(default_planner()); }
+inline PlanOptions drivers_options() { return complete(default_planner()); }
 
-inline PlanOptions shortest() { return complete(default_planner(), {.style = Style::shortest}); }
+inline PlanOptions length_options() {
+  return complete(default_planner(), {.style = Style::shortest});
+}
 
 inline SiteTable table_to(const Problem& problem, const PlanOptions& options,
                           const SiteTableOptions& table = coarse) {
