@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "judge/goals.h"
 #include "judge/speed_knots.h"
@@ -21,16 +22,21 @@ constexpr Real finest = 1e-7;                    // half of the shortest part th
 /// Place where a segment begins, or the end of a track.
 struct Joint {
   Place place;
-  bool stands = true;  // whether the vehicle stands there, via or not
+  bool stands = true;       // whether the vehicle stands there, via or not
+  bool needs_stop = false;  // whether wheels turn at once there, though the gear stays
 };
+
+/// Which joints are looked for.
+enum class Wanted : std::uint8_t { all, standing, needing_stop };
 
 std::vector<Joint> joints_of(const Track& track, const Vehicle& vehicle) {
   std::vector<Joint> joints;
   for (std::size_t i = 0; i < track.stretches.size(); ++i) {
     if (!track.stretches[i].is_first) continue;
-    const bool rolls = i > 0 && track.stretches[i].direction == track.stretches[i - 1].direction &&
-                       !jumps(track, vehicle, i);
-    joints.push_back({{i, 0}, !rolls});
+    const bool keeps_gear =
+        i > 0 && track.stretches[i].direction == track.stretches[i - 1].direction;
+    const bool needs_stop = keeps_gear && jumps(track, vehicle, i);
+    joints.push_back({{i, 0}, !keeps_gear || needs_stop, needs_stop});
   }
   joints.push_back({{track.stretches.size() - 1, track.stretches.back().length}});
   return joints;
@@ -61,12 +67,16 @@ class Passing {
     return std::nullopt;
   }
 
-  /// First of some joints from `from` on that is in a region of the via; none if there is none.
+  /// First of the wanted joints from `from` on that is in a region of the via; none if there is
+  /// none. A joint at `from` has had its stop.
   [[nodiscard]] std::optional<Place> first_of(const std::vector<Joint>& joints, const Place& from,
-                                              bool must_stand) const {
-    for (const auto& [place, stands] : joints) {
-      const bool is_ahead = driven(place) >= driven(from) - joint_slack;
-      if (is_ahead && (stands || !must_stand) && is_in(place, passed_tolerance)) return place;
+                                              Wanted wanted) const {
+    for (const Joint& joint : joints) {
+      const bool is_stop = wanted == Wanted::needing_stop;
+      const bool is_wanted = is_stop ? joint.needs_stop : joint.stands || wanted == Wanted::all;
+      const Real ahead = driven(joint.place) - driven(from);
+      if (!is_wanted || ahead < (is_stop ? joint_slack : -joint_slack)) continue;
+      if (is_in(joint.place, passed_tolerance)) return joint.place;
     }
     return std::nullopt;
   }
@@ -165,8 +175,8 @@ class AllPassings {
   }
 
   [[nodiscard]] Place place_to_stand(std::size_t i, const Place& from, const Place& first) const {
-    for (const bool must_stand : {true, false}) {
-      const std::optional<Place> joint = passings_[i].first_of(joints_, from, must_stand);
+    for (const Wanted wanted : {Wanted::needing_stop, Wanted::standing, Wanted::all}) {
+      const std::optional<Place> joint = passings_[i].first_of(joints_, from, wanted);
       if (joint && passed_behind(*joint, i + 1) == passed_behind(first, i + 1)) return *joint;
     }
     return first;
@@ -194,7 +204,7 @@ std::size_t passed_by(const Task& task, const Track& track, const SpeedProfile& 
   for (std::size_t i = 0; i < task.via.size(); ++i) {
     const Passing passing(task, track, trailing ? &*trailing : nullptr, task.via[i]);
     const std::optional<Place> next =
-        task.via[i].stop ? passing.first_of(stops, from, true) : passing.first(from);
+        task.via[i].stop ? passing.first_of(stops, from, Wanted::standing) : passing.first(from);
     if (!next) return i;
     from = *next;
   }

@@ -79,6 +79,20 @@ TEST(JudgeOfVias, LetsWheelsTurnWhereTheVehicleStands) {
           .valid);
 }
 
+// The path turns round in the lay-by before, where the vehicle stands in any case.
+TEST(JudgeOfVias, LetsWheelsTurnBehindAnotherStopOfTheLayBy) {
+  const Path path{{}, {{0.0, 10.0}, {0.0, -2.0}, {0.0, 4.0}, {0.1, 8.0}, {0.0, 4.0}}};
+  const Via lay_by{{{.x = {4, 12}, .y = {-1, 1}, .heading = {-0.1, 0.1}}}, true};
+  const Via next{{{.x = {12, 25}, .y = {-1, 9}, .heading = {-1.0, 1.0}}}, true};
+  const auto is_valid = [&](const std::vector<Via>& via) {
+    return check_path(along(path, via), path, {.steering = Steering::continuous_between_stops})
+        .valid;
+  };
+  EXPECT_FALSE(is_valid({lay_by}));  // the wheels turn twice
+  EXPECT_TRUE(is_valid({lay_by, next}));
+  EXPECT_TRUE(is_valid({lay_by, lay_by, next}));
+}
+
 TEST(JudgeOfVias, CountsTheTimeOfAStop) {
   const Path line{{}, {{0.0, 12.0}, {0.0, 18.0}}};
   for (const bool stop : {false, true}) {

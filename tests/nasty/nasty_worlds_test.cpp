@@ -74,6 +74,11 @@ TEST_P(NastyWorlds, KeepNoPromiseFromBeingKeptInTheLongRun) {
 
 INSTANTIATE_TEST_SUITE_P(Share, NastyWorlds, testing::Range(0, 4));
 
+// Wheels turn at a stop in a via though the vehicle stands there before, to change gear.
+TEST(NastyWorlds, StandTwiceInAVia) {
+  for (const std::string& fault : try_world_of_goals(503366).faults) ADD_FAILURE() << fault;
+}
+
 // A detour from the goal back must not turn the wheels where the vehicle rolls on.
 TEST(NastyWorlds, RollIntoTheStraightEnd) {
   for (const std::string& fault : try_world_of_goals(501410).faults) ADD_FAILURE() << fault;
