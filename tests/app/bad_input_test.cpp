@@ -274,11 +274,11 @@ TEST_F(BadInput, NoCommand) {
 TEST_F(BadInput, UnknownCommand) {
   EXPECT_EQ(complaint({"fly"}),
             "\"fly\" is no command, expected one of plan, check, draw, speed, drive, smooth, "
-            "evaluate, table, study, convert, planners");
+            "evaluate, table, study, convert, planners, matrix");
   EXPECT_EQ(complaint({"paln"}).substr(0, 46), "\"paln\" is no command, did you mean plan? Expec");
-  EXPECT_EQ(
-      complaint({"table", "bild"}),
-      "\"bild\" is no command, did you mean build? Expected one of build, info, check, export");
+  EXPECT_EQ(complaint({"table", "bild"}),
+            "\"bild\" is no command, did you mean build? Expected one of build, info, check, "
+            "export, site");
 }
 
 TEST_F(BadInput, OneArgumentTooMany) {
