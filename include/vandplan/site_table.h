@@ -8,7 +8,9 @@
 //
 // Method, size and errors: docs/algorithms/site_tables.md.
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -137,7 +139,8 @@ struct SiteCost {
 [[nodiscard]] std::string_view site_table_to_bytes(const SiteTable& table) noexcept;
 
 /// Largest file of a table that is read [bytes].
-inline constexpr std::size_t largest_site_table = std::size_t{1} << 34;
+inline constexpr std::size_t largest_site_table = static_cast<std::size_t>(
+    std::min(std::uint64_t{1} << 34, std::uint64_t{std::numeric_limits<std::size_t>::max()}));
 
 /// The table that `site_table_to_bytes` wrote; it keeps the bytes. Throws InputError naming `file`
 /// if the bytes are foreign, truncated, altered, or of another version.

@@ -167,14 +167,15 @@ std::optional<SiteEntry> SiteData::find(const SiteLayer& layer,
   const std::int64_t cell = std::int64_t{state.row} * grid.columns + state.column;
   const auto pair = static_cast<std::uint64_t>(cell * grid.headings + state.heading);
   const std::string_view all = *bytes;
-  const std::size_t word_at = layer.at + pair / bits_of_word * word_size;
+  const auto word_at = static_cast<std::size_t>(layer.at + pair / bits_of_word * word_size);
   const auto word = read_at<std::uint64_t>(all, word_at);
   const std::uint64_t bit = std::uint64_t{1} << pair % bits_of_word;
   if ((word & bit) == 0) return std::nullopt;
   const auto before = static_cast<std::uint64_t>(std::popcount(word & (bit - 1)));
   const std::uint64_t place = read_at<std::uint32_t>(all, word_at + 8) + before;
   if (place >= layer.count) return std::nullopt;
-  const std::size_t pair_at = layer.at + words_of(grid) * word_size + place * pair_size;
+  const auto pair_at =
+      static_cast<std::size_t>(layer.at + words_of(grid) * word_size + place * pair_size);
   const std::size_t gear = state.gear > 0 ? 0 : 1;
   const auto cost = read_at<std::uint16_t>(all, pair_at + 2 * gear);
   if (cost == unreached) return std::nullopt;
@@ -207,12 +208,12 @@ std::string layer_to_bytes(const SiteGrid& grid, std::vector<SiteRecord>& record
   for (const SiteRecord& record : records) most = std::max(most, record.entry.cost);
   layer.unit = std::max(most, 1.0) / largest_cost;
   layer.reach = reach_of(grid, layer.goal);
-  std::vector<std::uint64_t> words(words_of(grid));
+  std::vector<std::uint64_t> words(static_cast<std::size_t>(words_of(grid)));
   std::string pairs;
   layer.count = 0;
   for (std::size_t i = 0; i < records.size();) {
     const std::uint64_t pair = records[i].pair;
-    words[pair / bits_of_word] |= std::uint64_t{1} << pair % bits_of_word;
+    words[static_cast<std::size_t>(pair / bits_of_word)] |= std::uint64_t{1} << pair % bits_of_word;
     std::uint16_t costs[2] = {unreached, unreached};
     std::uint8_t steps[2] = {0, 0};
     for (; i < records.size() && records[i].pair == pair; ++i) {
@@ -260,7 +261,7 @@ std::string site_to_bytes(const SiteKey& key, const SiteGrid& grid, std::vector<
     append(bytes, layer.count);
     at += numbers[i].size();
   }
-  bytes.reserve(at);
+  bytes.reserve(static_cast<std::size_t>(at));
   for (const std::string& part : numbers) bytes += part;
   std::string sum;
   append(sum, checksum_of(bytes));
