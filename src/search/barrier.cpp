@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "geometry/boxes.h"
-#include "search/raster.h"
+#include "geometry/convex.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan::search {
@@ -28,7 +28,7 @@ double signed_distance(const Polygon& area, const Point& p) {
   double least = std::numeric_limits<double>::infinity();
   Point a = area.back();
   for (const Point& b : area) {
-    least = std::min(least, squared_distance(p, a, b));
+    least = std::min(least, geometry::squared_distance_to_side(p, a, b));
     a = b;
   }
   return contains(area, p) ? -std::sqrt(least) : std::sqrt(least);
