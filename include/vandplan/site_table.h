@@ -28,7 +28,7 @@
 namespace vandplan {
 
 struct Planner;
-namespace search {
+namespace sites {
 struct SiteData;
 }
 
@@ -71,14 +71,14 @@ class SiteTable {
   void expect_made_for(const Problem& problem, const PlanOptions& options) const;
 
   /// Numbers of the table, for the library alone.
-  [[nodiscard]] const search::SiteData& data() const noexcept { return *data_; }
+  [[nodiscard]] const sites::SiteData& data() const noexcept { return *data_; }
 
  private:
   friend SiteTable site_table_from_bytes(std::shared_ptr<const std::string> bytes,
                                          const std::string& file);
-  explicit SiteTable(std::shared_ptr<const search::SiteData> data);
+  explicit SiteTable(std::shared_ptr<const sites::SiteData> data);
 
-  std::shared_ptr<const search::SiteData> data_;
+  std::shared_ptr<const sites::SiteData> data_;
   std::vector<Pose> goals_;
 };
 

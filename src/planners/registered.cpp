@@ -14,7 +14,7 @@
 #include "planners/in_time.h"
 #include "planners/plan_to_set.h"
 #include "planners/shared_options.h"
-#include "search/site_way.h"
+#include "sites/way.h"
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
 #include "vandplan/site_table.h"
@@ -117,7 +117,7 @@ Planner warm_started(const Path& path) {
 Planner with_site(const SiteTable& table) {
   Planner planner = default_planner();
   planner.function = [table](const Task& task, const PlanOptions& options) {
-    search::expect_serves(table, task, options);
+    sites::expect_serves(table, task, options);
     return planning::plan_by_default(task, options, {.site = &table});
   };
   return planner;

@@ -24,7 +24,7 @@
 #include "planners/rig/compose_rig.h"
 #include "planners/shared_options.h"
 #include "search/grid_distance.h"
-#include "search/site_way.h"
+#include "sites/way.h"
 
 namespace vandplan::anytime {
 namespace {
@@ -151,7 +151,7 @@ Composer::Composer(const Task& task, const PlanOptions& options, double time_pri
   if (given.known != nullptr) {
     take_known(*given.known);
   } else if (given.site != nullptr) {
-    const auto way = search::way_in_world(*given.site, task, options.cost);
+    const auto way = sites::way_in_world(*given.site, task, options.cost);
     if (way) take_known(way->path);
     has_site_way_ = is_warm_;
   }

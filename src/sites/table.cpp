@@ -13,8 +13,8 @@
 #include "search/clearance_raster.h"
 #include "search/drive_field.h"
 #include "search/guide.h"
-#include "search/site_data.h"
-#include "search/site_way.h"
+#include "sites/data.h"
+#include "sites/way.h"
 #include "vandplan/input_error.h"
 #include "vandplan/search.h"
 
@@ -22,7 +22,7 @@ namespace vandplan {
 namespace {
 
 using search::Connector, search::CostRule, search::DriveField, search::ClearanceRaster;
-using search::SiteData, search::SiteEntry, search::SiteGrid, search::SiteLayer, search::SiteRecord;
+using sites::SiteData, sites::SiteEntry, sites::SiteGrid, sites::SiteLayer, sites::SiteRecord;
 
 constexpr double most_pairs = 1e8;    // pairs of cell and heading in a table
 constexpr double room_of_step = 0.2;  // room that the longest step needs [turning radii]
@@ -112,7 +112,7 @@ class LayerMaker {
                {.headings = options.headings,
                 .cell = options.cell,
                 .of_table = task.checker.get(),
-                .arcs = search::arcs_of_site},
+                .arcs = sites::arcs_of_site},
                task.goal, 0,
                std::max(most_radii * back_.radius(),
                         most_sides * (box.x_max - box.x_min + box.y_max - box.y_min))),
@@ -196,7 +196,7 @@ std::optional<SiteTable> make_site_table(const Problem& problem, std::span<const
     auto records = LayerMaker(tasks[i], rule, box, table).records();
     if (!records) return;
     layers[i].goal = goals[i];
-    numbers[i] = search::layer_to_bytes(grid, *records, layers[i]);
+    numbers[i] = sites::layer_to_bytes(grid, *records, layers[i]);
   };
   parallel_in_order(goals.size(), table.threads, work, [&](std::size_t i) {
     if (table.progress) table.progress(i + 1);
@@ -204,9 +204,9 @@ std::optional<SiteTable> make_site_table(const Problem& problem, std::span<const
   if (std::ranges::any_of(numbers, [](const std::string& part) { return part.empty(); })) {
     return std::nullopt;
   }
-  const search::SiteKey key = search::site_key(*problem.world(), problem.vehicle(), options);
+  const sites::SiteKey key = sites::site_key(*problem.world(), problem.vehicle(), options);
   return site_table_from_bytes(
-      std::make_shared<const std::string>(search::site_to_bytes(key, grid, layers, numbers)),
+      std::make_shared<const std::string>(sites::site_to_bytes(key, grid, layers, numbers)),
       "site");
 }
 
@@ -222,7 +222,7 @@ int SiteTable::headings() const noexcept { return data_->grid.headings; }
 
 double SiteTable::cost(const Pose& pose, std::size_t goal) const noexcept {
   const SiteLayer& layer = data_->layers[goal];
-  search::SiteState state = search::state_at(data_->grid, layer, pose);
+  sites::SiteState state = sites::state_at(data_->grid, layer, pose);
   double least = std::numeric_limits<double>::infinity();
   for (const int gear : {1, -1}) {
     state.gear = gear;
@@ -234,7 +234,7 @@ double SiteTable::cost(const Pose& pose, std::size_t goal) const noexcept {
 double SiteTable::rounding(std::size_t goal) const noexcept { return data_->layers[goal].unit / 2; }
 
 void SiteTable::expect_made_for(const Problem& problem, const PlanOptions& options) const {
-  expect_equal(data_->key, search::site_key(*problem.world(), problem.vehicle(), options));
+  expect_equal(data_->key, sites::site_key(*problem.world(), problem.vehicle(), options));
 }
 
 std::optional<SiteWay> site_way(const SiteTable& table, const Problem& problem,
@@ -242,8 +242,8 @@ std::optional<SiteWay> site_way(const SiteTable& table, const Problem& problem,
   const bool is_one = problem.goal_set().empty() && problem.via().empty();
   require(is_one, "site", "one goal, no set of goals or vias");
   const Task task = task_of(problem, options.clearance);
-  search::expect_serves(table, task, options);
-  std::optional<SiteWay> way = search::way_in_world(table, task, options.cost);
+  sites::expect_serves(table, task, options);
+  std::optional<SiteWay> way = sites::way_in_world(table, task, options.cost);
   if (way) way->path.start = problem.start();
   return way;
 }
@@ -264,7 +264,7 @@ std::vector<SiteCost> site_matrix(const SiteTable& table, const Problem& problem
       cost.lower_bound =
           Connector(task, rule).least_cost(task.start, task.goal, {rule.initial_gear, 0});
       if (!task.checker->is_free(task.start)) continue;
-      const std::optional<SiteWay> way = search::way_in_world(table, task, options.cost);
+      const std::optional<SiteWay> way = sites::way_in_world(table, task, options.cost);
       if (way) cost.cost = way->cost;
     }
   });
@@ -277,7 +277,7 @@ std::string_view site_table_to_bytes(const SiteTable& table) noexcept {
 
 SiteTable site_table_from_bytes(std::shared_ptr<const std::string> bytes, const std::string& file) {
   return SiteTable(
-      std::make_shared<const SiteData>(search::site_from_bytes(std::move(bytes), file)));
+      std::make_shared<const SiteData>(sites::site_from_bytes(std::move(bytes), file)));
 }
 
 }  // namespace vandplan

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "search/site_key.h"
+#include "sites/key.h"
 
 #include <bit>
 #include <cmath>
@@ -13,7 +13,7 @@
 #include "vandplan/input_error.h"
 #include "vandplan/search.h"
 
-namespace vandplan::search {
+namespace vandplan::sites {
 namespace {
 
 /// Sum of numbers, one after the other.
@@ -112,7 +112,7 @@ std::uint64_t fingerprint_of(const Vehicle& vehicle) {
 }
 
 std::uint64_t fingerprint_of(const PlanOptions& options) {
-  const CostRule rule = cost_rule(options.cost);
+  const search::CostRule rule = search::cost_rule(options.cost);
   Fingerprint sum;
   for (const double number :
        {rule.forward_weight, rule.reverse_weight, rule.gear_change_cost, rule.curvature_change_cost,
@@ -149,4 +149,4 @@ void expect_equal(const SiteKey& made_for, const SiteKey& wanted) {
   if (made_for.prices != wanted.prices) refuse("other options: prices, gears or margin differ");
 }
 
-}  // namespace vandplan::search
+}  // namespace vandplan::sites

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "search/site_data.h"
+#include "sites/data.h"
 #include "support/cases.h"
 #include "support/problems.h"
 #include "support/sites.h"
@@ -27,7 +27,7 @@
 namespace vandplan {
 namespace {
 
-using search::SiteData, search::SiteState;
+using sites::SiteData, sites::SiteState;
 using std::numbers::pi;
 using namespace sites;
 
@@ -137,7 +137,7 @@ TEST(SiteTable, EveryStepLeadsNearerToTheGoal) {
           }
           const auto next = data.find(data.layers[0], data.after(state, *entry));
           ASSERT_TRUE(next);
-          const double step = std::abs(search::site_step(data.grid, state.gear, entry->arc).length);
+          const double step = std::abs(sites::site_step(data.grid, state.gear, entry->arc).length);
           EXPECT_GE(entry->cost - next->cost, step - 4 * table.rounding(0));
         }
       }

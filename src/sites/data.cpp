@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "search/site_data.h"
+#include "sites/data.h"
 
 #include <algorithm>
 #include <bit>
@@ -13,7 +13,7 @@
 #include "search/drive_field.h"
 #include "vandplan/input_error.h"
 
-namespace vandplan::search {
+namespace vandplan::sites {
 namespace {
 
 using base::append, base::read_at;
@@ -194,7 +194,7 @@ SiteState SiteData::after(const SiteState& state, const SiteEntry& entry) const 
 
 Segment site_step(const SiteGrid& grid, int gear, int arc) noexcept {
   const double sharpest = grid.radius * arcs_of_site;
-  const double length = arc == 0 ? DriveField::straight_cells * grid.cell
+  const double length = arc == 0 ? search::DriveField::straight_cells * grid.cell
                                  : 2 * std::numbers::pi / grid.headings * sharpest / std::abs(arc);
   return {arc / sharpest, gear * length};
 }
@@ -305,4 +305,4 @@ SiteData site_from_bytes(std::shared_ptr<const std::string> bytes, const std::st
   return data;
 }
 
-}  // namespace vandplan::search
+}  // namespace vandplan::sites

@@ -5,12 +5,12 @@
 
 #include <optional>
 
-#include "search/site_data.h"
+#include "sites/data.h"
 #include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
 #include "vandplan/site_table.h"
 
-namespace vandplan::search {
+namespace vandplan::sites {
 
 /// The state of a pose of the scenario's frame, in the gear forward. It may lie outside of the
 /// table.
@@ -27,4 +27,4 @@ void expect_serves(const SiteTable& table, const Task& task, const PlanOptions& 
 [[nodiscard]] std::optional<SiteWay> way_in_world(const SiteTable& table, const Task& task,
                                                   const CostOptions& cost);
 
-}  // namespace vandplan::search
+}  // namespace vandplan::sites

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "search/site_way.h"
+#include "sites/way.h"
 
 #include <algorithm>
 #include <array>
@@ -13,8 +13,10 @@
 #include "vandplan/input_error.h"
 #include "vandplan/search.h"
 
-namespace vandplan::search {
+namespace vandplan::sites {
 namespace {
+
+using search::Connector, search::CostRule;
 
 /// Steps after which a way from a state near the start is joined. Joints that replace few steps
 /// need shunts, joints that replace many are blocked more often.
@@ -128,8 +130,8 @@ void WaySearch::try_joint(const Joint& joint) {
   for (std::size_t i = steps.size(); i > 0; --i) {
     pose = advance(pose, Segment{steps[i - 1].curvature, -steps[i - 1].length});
   }
-  DrivenBeside beside{connector_.rule().initial_gear, 0};
-  if (!steps.empty()) beside.after = {gear_of(steps.front()), steps.front().curvature};
+  search::DrivenBeside beside{connector_.rule().initial_gear, 0};
+  if (!steps.empty()) beside.after = {search::gear_of(steps.front()), steps.front().curvature};
   const auto to_joint =
       connector_.connect(Local(State{task_.start, 0.0}), pose, {0.0, cost_ - joint.cost, beside});
   if (!to_joint) return;
@@ -184,15 +186,15 @@ std::optional<SiteWay> way_in_world(const SiteTable& table, const Task& task,
   SiteWay way{.goal = *goal};
   Task relaxed = task;
   relaxed.steering = Steering::reeds_shepp;
-  const CostRule rule = cost_rule(cost, relaxed);
+  const CostRule rule = search::cost_rule(cost, relaxed);
   std::optional<std::vector<Segment>> segments =
       WaySearch(table.data(), table.data().layers[way.goal], relaxed, rule).segments();
   if (!segments) return std::nullopt;
   way.path = {task.start, *std::move(segments)};
   way.cost = drive_cost(rule, way.path.segments) +
              clearance_cost(relaxed, rule, start_state(relaxed), way.path.segments,
-                            ClearanceSampling::search);
+                            search::ClearanceSampling::search);
   return way;
 }
 
-}  // namespace vandplan::search
+}  // namespace vandplan::sites

@@ -8,7 +8,7 @@
 #include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
 
-namespace vandplan::search {
+namespace vandplan::sites {
 
 /// Fingerprints of what the costs of a table depend on. They do not depend on a problem's start and
 /// goal, nor on the frame of its world. Coordinates count in whole micrometres.
@@ -25,4 +25,4 @@ struct SiteKey {
 /// Throws InputError naming "site" if the keys differ: it says in what.
 void expect_equal(const SiteKey& made_for, const SiteKey& wanted);
 
-}  // namespace vandplan::search
+}  // namespace vandplan::sites

@@ -33,11 +33,11 @@
 #include <string_view>
 #include <vector>
 
-#include "search/site_key.h"
+#include "sites/key.h"
 #include "vandplan/geometry.h"
 #include "vandplan/path.h"
 
-namespace vandplan::search {
+namespace vandplan::sites {
 
 /// Arcs of the steps on each side; their curvatures are equal parts of the sharpest.
 inline constexpr int arcs_of_site = 2;
@@ -122,4 +122,4 @@ struct SiteRecord {
 [[nodiscard]] SiteData site_from_bytes(std::shared_ptr<const std::string> bytes,
                                        const std::string& file);
 
-}  // namespace vandplan::search
+}  // namespace vandplan::sites
