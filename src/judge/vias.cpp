@@ -3,8 +3,9 @@
 #include "judge/vias.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdint>
+#include <utility>
 
 #include "judge/goals.h"
 #include "judge/speed_knots.h"
@@ -26,9 +27,6 @@ struct Joint {
   bool needs_stop = false;  // whether wheels turn at once there, though the gear stays
 };
 
-/// Which joints are looked for.
-enum class Wanted : std::uint8_t { all, standing, needing_stop };
-
 std::vector<Joint> joints_of(const Track& track, const Vehicle& vehicle) {
   std::vector<Joint> joints;
   for (std::size_t i = 0; i < track.stretches.size(); ++i) {
@@ -40,6 +38,11 @@ std::vector<Joint> joints_of(const Track& track, const Vehicle& vehicle) {
   }
   joints.push_back({{track.stretches.size() - 1, track.stretches.back().length}});
   return joints;
+}
+
+/// Driven distance of a place from the start [m].
+Real driven(const Track& track, const Place& place) {
+  return track.stretches[place.stretch].s + place.t;
 }
 
 /// Finds where a track passes one via.
@@ -67,25 +70,7 @@ class Passing {
     return std::nullopt;
   }
 
-  /// First of the wanted joints from `from` on that is in a region of the via; none if there is
-  /// none. A joint at `from` has had its stop.
-  [[nodiscard]] std::optional<Place> first_of(const std::vector<Joint>& joints, const Place& from,
-                                              Wanted wanted) const {
-    for (const Joint& joint : joints) {
-      const bool is_stop = wanted == Wanted::needing_stop;
-      const bool is_wanted = is_stop ? joint.needs_stop : joint.stands || wanted == Wanted::all;
-      const Real ahead = driven(joint.place) - driven(from);
-      if (!is_wanted || ahead < (is_stop ? joint_slack : -joint_slack)) continue;
-      if (is_in(joint.place, passed_tolerance)) return joint.place;
-    }
-    return std::nullopt;
-  }
-
  private:
-  [[nodiscard]] Real driven(const Place& place) const {
-    return track_.stretches[place.stretch].s + place.t;
-  }
-
   /// By how much place, heading and hitch angle may change near a place [m, rad].
   struct Slack {
     Real place = 0, turn = 0, fold = 0;
@@ -141,50 +126,91 @@ Place place_behind(const Track& track, Real s) {
   return {i, std::clamp<Real>(s - stretch.s, 0, stretch.length)};
 }
 
-/// Finds where a track passes all vias.
+/// What stops are good for: how many of them are where wheels turn at once though the gear stays,
+/// how many where the vehicle stands anyway, how many where a segment begins. The first counts
+/// most.
+using Worth = std::array<int, 3>;
+
+/// A place where a via is passed, the last one so far.
+struct Reached {
+  Place place;
+  Real s = 0;            // driven distance to there [m]
+  Worth worth = {};      // of all stops so far
+  bool is_stop = false;  // whether the vehicle stands there for the via
+  std::size_t last = 0;  // number of the place where the via before is passed
+};
+
+/// Finds where a track passes all vias: as many as possible, with stops worth as much as possible,
+/// and those as early as possible.
 class AllPassings {
  public:
   AllPassings(const Task& task, const Track& track, const Trailing* trailing)
-      : via_(task.via), joints_(joints_of(track, task.vehicle)) {
-    for (const Via& via : via_) passings_.emplace_back(task, track, trailing, via);
-  }
+      : task_(task), track_(track), trailing_(trailing), joints_(joints_of(track, task.vehicle)) {}
 
   [[nodiscard]] Passings find() const {
-    Passings passed;
-    Place from;
-    for (std::size_t i = 0; i < via_.size(); ++i) {
-      const std::optional<Place> first = passings_[i].first(from);
-      if (!first) break;
-      from = via_[i].stop ? place_to_stand(i, from, *first) : *first;
-      passed.places.push_back(from);
-      if (via_[i].stop) passed.stops.push_back(from);
+    std::vector<std::vector<Reached>> reached = {{Reached{}}};
+    for (const Via& via : task_.via) {
+      std::vector<Reached> next = passed_next(via, reached.back());
+      if (next.empty()) break;
+      reached.push_back(std::move(next));
     }
+    Passings passed;
+    std::size_t number = reached.back().size() - 1;  // the one whose stops are worth most
+    for (std::size_t i = reached.size() - 1; i > 0; --i) {
+      const Reached& here = reached[i][number];
+      passed.places.push_back(here.place);
+      if (here.is_stop) passed.stops.push_back(here.place);
+      number = here.last;
+    }
+    std::ranges::reverse(passed.places);
+    std::ranges::reverse(passed.stops);
     return passed;
   }
 
  private:
-  /// Number of vias from `i` on that are passed behind a place.
-  [[nodiscard]] std::size_t passed_behind(Place place, std::size_t i) const {
-    std::size_t count = 0;
-    for (; i < via_.size(); ++i, ++count) {
-      const std::optional<Place> next = passings_[i].first(place);
-      if (!next) break;
-      place = *next;
+  /// Places where a via may be passed behind those where the one before may be. A place comes
+  /// before those farther on, whose stops are worth more.
+  [[nodiscard]] std::vector<Reached> passed_next(const Via& via,
+                                                 const std::vector<Reached>& before) const {
+    const Passing passing(task_, track_, trailing_, via);
+    std::vector<const Joint*> inside;
+    for (const Joint& joint : joints_) {
+      if (via.stop && passing.is_in(joint.place, passed_tolerance)) inside.push_back(&joint);
     }
-    return count;
+    std::vector<Reached> places;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const std::optional<Place> first = passing.first(before[i].place);
+      if (!first) continue;
+      places.push_back({*first, driven(track_, *first), before[i].worth, via.stop, i});
+      for (const Joint* joint : inside) {
+        const Real s = driven(track_, joint->place);
+        if (s < before[i].s - joint_slack) continue;
+        const bool is_new = s >= before[i].s + joint_slack || !before[i].is_stop;
+        const auto [turns, standing, beginning] = before[i].worth;
+        const Worth worth = {turns + static_cast<int>(joint->needs_stop && is_new),
+                             standing + static_cast<int>(joint->stands), beginning + 1};
+        places.push_back({joint->place, s, worth, true, i});
+      }
+    }
+    return best_of(std::move(places));
   }
 
-  [[nodiscard]] Place place_to_stand(std::size_t i, const Place& from, const Place& first) const {
-    for (const Wanted wanted : {Wanted::needing_stop, Wanted::standing, Wanted::all}) {
-      const std::optional<Place> joint = passings_[i].first_of(joints_, from, wanted);
-      if (joint && passed_behind(*joint, i + 1) == passed_behind(first, i + 1)) return *joint;
+  /// Those places before which none is worth as much, in their order.
+  [[nodiscard]] static std::vector<Reached> best_of(std::vector<Reached> places) {
+    std::ranges::stable_sort(places, [](const Reached& a, const Reached& b) {
+      return a.s != b.s ? a.s < b.s : a.worth > b.worth;
+    });
+    std::vector<Reached> best;
+    for (const Reached& place : places) {
+      if (best.empty() || place.worth > best.back().worth) best.push_back(place);
     }
-    return first;
+    return best;
   }
 
-  const std::vector<Via>& via_;
+  const Task& task_;
+  const Track& track_;
+  const Trailing* trailing_;
   std::vector<Joint> joints_;
-  std::vector<Passing> passings_;
 };
 
 }  // namespace
@@ -196,15 +222,24 @@ Passings passings(const Task& task, const Track& track, const Trailing* trailing
 std::size_t passed_by(const Task& task, const Track& track, const SpeedProfile& speeds) {
   std::optional<Trailing> trailing;
   if (task.vehicle.trailer) trailing.emplace(track, task.vehicle, task.hitch_angles.start);
-  std::vector<Joint> stops;
+  std::vector<Place> stops;
   for (const SpeedKnot& knot : speeds.knots) {
-    if (knot.v <= speed_slack) stops.push_back({place_behind(track, knot.s)});
+    if (knot.v <= speed_slack) stops.push_back(place_behind(track, knot.s));
   }
   Place from;
   for (std::size_t i = 0; i < task.via.size(); ++i) {
     const Passing passing(task, track, trailing ? &*trailing : nullptr, task.via[i]);
-    const std::optional<Place> next =
-        task.via[i].stop ? passing.first_of(stops, from, Wanted::standing) : passing.first(from);
+    std::optional<Place> next;
+    if (!task.via[i].stop) {
+      next = passing.first(from);
+    } else {
+      const auto is_there = [&](const Place& stop) {
+        return driven(track, stop) >= driven(track, from) - joint_slack &&
+               passing.is_in(stop, passed_tolerance);
+      };
+      const auto stop = std::ranges::find_if(stops, is_there);
+      if (stop != stops.end()) next = *stop;
+    }
     if (!next) return i;
     from = *next;
   }

@@ -24,9 +24,9 @@ struct Passings {
 /// 1e-6 rad, in their order, up to the first one that it misses. Half steps that a via cannot be in
 /// are skipped, so no place is overlooked. `trailing` is null without a trailer.
 ///
-/// At a via with a stop the vehicle stands where its wheels turn at once though it keeps its gear,
-/// else where it would stand anyway, else where a segment begins, else as early as possible. It
-/// passes the vias behind it from there, or not at all.
+/// At vias with a stop the vehicle stands so that its wheels turn there at once, though it keeps
+/// its gear, in as many places as possible; else where it would stand anyway, else where a segment
+/// begins, else as early as possible. As many vias are passed as can be.
 [[nodiscard]] Passings passings(const Task& task, const Track& track, const Trailing* trailing);
 
 /// Number of vias, from the first one on, that a drive along a track passes in their order. It

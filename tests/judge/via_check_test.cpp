@@ -93,6 +93,23 @@ TEST(JudgeOfVias, LetsWheelsTurnBehindAnotherStopOfTheLayBy) {
   EXPECT_TRUE(is_valid({lay_by, lay_by, next}));
 }
 
+// The stop of the first via is not kept for the end of the path, where both vias are and the
+// vehicle stands anyway: wheels turn at the stop of the second one.
+TEST(JudgeOfVias, LetsWheelsTurnAtTheStopOfALaterVia) {
+  const Path path{{}, {{0.0, 10.0}, {0.1, 8.0}}};
+  const auto around = [](const Pose& pose) {
+    return GoalRegion{.x = {pose.x - 1, pose.x + 1}, .y = {pose.y - 1, pose.y + 1}};
+  };
+  const GoalRegion end = around(end_pose(path));
+  const std::vector<Via> via = {{{around({4, 0, 0}), end}, true},
+                                {{around({10, 0, 0}), end}, true}};
+  const PathCheck check =
+      check_path(along(path, via), path, {.steering = Steering::continuous_between_stops});
+  ASSERT_TRUE(check.valid) << check.reason;
+  EXPECT_NEAR(check.via[0].s, 3, 3e-6);
+  EXPECT_NEAR(check.via[1].s, 10, 1e-9);
+}
+
 TEST(JudgeOfVias, CountsTheTimeOfAStop) {
   const Path line{{}, {{0.0, 12.0}, {0.0, 18.0}}};
   for (const bool stop : {false, true}) {

@@ -79,6 +79,11 @@ TEST(NastyWorlds, StandTwiceInAVia) {
   for (const std::string& fault : try_world_of_goals(503366).faults) ADD_FAILURE() << fault;
 }
 
+// Wheels turn at the stop of the second via, and both vias are where the path ends.
+TEST(NastyWorlds, StandInTheViaWhereWheelsTurn) {
+  for (const std::string& fault : try_world_of_goals(600136).faults) ADD_FAILURE() << fault;
+}
+
 // A detour from the goal back must not turn the wheels where the vehicle rolls on.
 TEST(NastyWorlds, RollIntoTheStraightEnd) {
   for (const std::string& fault : try_world_of_goals(501410).faults) ADD_FAILURE() << fault;
