@@ -1,14 +1,16 @@
 # What makes compiling quicker, and where is it used?
 
-# Tests, and code that mostly includes large headers of others (JSON, CLI11): compiling it takes
-# minutes at full optimisation, which nobody would notice when it runs: at -O1, or at the level named. Builds with sanitizers stay
-# at the -O1 of their presets: without any optimisation JSON takes minutes there.
+# Code that mostly includes large headers of others (JSON, CLI11), and tests: compiling it takes
+# minutes at full optimisation, which nobody would notice when it runs. Releases compile it at -O1, or at
+# the level named. Builds with sanitizers stay at the -O1 of their presets, as JSON takes minutes to
+# run there at -O0; a level of DEBUG is for what runs little of it.
 function(vandplan_compile_quickly target)
-  set(level -O1)
-  if(ARGC GREATER 1)
-    set(level ${ARGV1})
+  cmake_parse_arguments(PARSE_ARGV 1 level "" "RELEASE;DEBUG" "")
+  if(NOT level_RELEASE)
+    set(level_RELEASE -O1)
   endif()
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${level}>)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${level_RELEASE}>
+                                           $<$<CONFIG:Debug>:${level_DEBUG}>)
 endfunction()
 
 # With VANDPLAN_FUZZ, code counts which of its lines run, for fuzz targets. A target that none of them
