@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/trigonometry.h"
+#include "geometry/convex.h"
 #include "vandplan/graphs.h"
 #include "vandplan/search.h"
 #include "vandplan/steering.h"
@@ -16,22 +17,13 @@
 namespace vandplan::search {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_fit = std::numeric_limits<double>::infinity();  // Deviation without a fit.
 constexpr double closing = 1e-10;          // Largest error of a piece's end [m, rad].
 constexpr int places = 64;                 // Intervals of a piece that poses are compared with.
 constexpr int radii = 48;                  // Number of radii tried first.
 constexpr int refinements = 40;            // Steps that refine the best radius.
 constexpr double heading_rounding = 2e-4;  // Largest error of a heading in a file [rad].
 constexpr int largest_direction = 8;       // Largest coordinate of a direction of the grid.
-
-double distance_to_segment(const Point& p, const Point& a, const Point& b) {
-  const double ux = b.x - a.x;
-  const double uy = b.y - a.y;
-  const double uu = ux * ux + uy * uy;
-  const double t = uu > 0.0 ? ((p.x - a.x) * ux + (p.y - a.y) * uy) / uu : 0.0;
-  const double along = std::clamp(t, 0.0, 1.0);
-  return std::hypot(a.x + along * ux - p.x, a.y + along * uy - p.y);
-}
 
 /// Largest distance of the poses from a piece [m].
 double deviation(const Pose& begin, const Piece& piece, std::span<const Pose> poses) {
@@ -43,13 +35,14 @@ double deviation(const Pose& begin, const Piece& piece, std::span<const Pose> po
   }
   double most = 0.0;
   for (const Pose& pose : poses) {
-    double least = infinity;
+    double least = no_fit;
     for (std::size_t i = 1; i < line.size(); ++i) {
-      least = std::min(least, distance_to_segment({pose.x, pose.y}, line[i - 1], line[i]));
+      least = std::min(least,
+                       geometry::squared_distance_to_side({pose.x, pose.y}, line[i - 1], line[i]));
     }
     most = std::max(most, least);
   }
-  return most;
+  return std::sqrt(most);
 }
 
 void append(Piece& piece, double curvature, double length) {
@@ -100,7 +93,7 @@ class Fit {
       : begin_(begin), end_(end), poses_(poses) {}
 
   double offer(const std::optional<Piece>& piece) {
-    if (!piece || !ends_at(begin_, *piece, end_)) return infinity;
+    if (!piece || !ends_at(begin_, *piece, end_)) return no_fit;
     const double off = deviation(begin_, *piece, poses_);
     if (off < least_) {
       least_ = off;
@@ -114,7 +107,7 @@ class Fit {
   void search(double low, double high, Make make) {
     const double ratio = std::pow(high / low, 1.0 / (radii - 1));
     double best_radius = low;
-    double least = infinity;
+    double least = no_fit;
     for (int i = 0; i < radii; ++i) {
       const double radius = low * std::pow(ratio, i);
       const double off = offer(make(radius));
@@ -124,7 +117,7 @@ class Fit {
     }
     double a = best_radius / ratio;
     double b = best_radius * ratio;
-    for (int i = 0; i < refinements && least < infinity; ++i) {
+    for (int i = 0; i < refinements && least < no_fit; ++i) {
       const double third = (b - a) / 3;
       if (offer(make(a + third)) <= offer(make(b - third))) {
         b -= third;
@@ -141,7 +134,7 @@ class Fit {
   const Pose& begin_;
   const Pose& end_;
   std::span<const Pose> poses_;
-  double least_ = infinity;
+  double least_ = no_fit;
   Piece best_;
 };
 
