@@ -26,7 +26,7 @@ copybutton_prompt_is_regexp = True
 
 # What a page names exists, but for names of the standard library and of private types.
 nitpicky = True
-nitpick_ignore_regex = [("cpp:.*", "std|std::.*|.*collision|.*collision::.*|.*ompl|.*ompl::.*|T|vandplan|search|search::Milestones|search::SiteData|base|base::Derived|(Dubins|ReedsShepp)Path"), ("py:.*", ".*")]
+nitpick_ignore_regex = [("cpp:.*", "std|std::.*|.*collision|.*collision::.*|.*ompl|.*ompl::.*|T|vandplan|search|search::Milestones|sites|sites::SiteData|base|base::Derived|(Dubins|ReedsShepp)Path"), ("py:.*", ".*")]
 primary_domain = None
 cpp_index_common_prefix = ["vandplan::", "vandplan::search::", "vandplan::evaluation::"]
 toc_object_entries_show_parents = "hide"
