@@ -128,16 +128,20 @@ void warn_of_ignored(const std::string& file, const std::vector<Setting>& wanted
 }
 
 int run(const PlanArguments& arguments) {
-  const Planner planner =
-      arguments.site ? planner_with_site(*arguments.site) : planner_named(arguments.planner);
+  const Planner named = planner_named(arguments.planner);
+  const Planner planner = arguments.site ? naming_site(named, *arguments.site) : named;
   const std::shared_ptr<const HeuristicTable> table = table_of_user(arguments.table);
   const std::shared_ptr<const search::Primitives> primitives =
       arguments.primitives ? read_primitives(*arguments.primitives) : nullptr;
+  const std::shared_ptr<const SiteTable> site =
+      arguments.site ? std::make_shared<const SiteTable>(read_site_table(*arguments.site))
+                     : nullptr;
   const auto options_with = [&](const std::vector<Setting>& wanted_by_file,
                                 const Vehicle& vehicle) {
     PlanOptions options = options_for(planner, wanted_by_file, arguments.options);
     options.table = table;
     options.primitives = primitives;
+    options.site = site;
     return complete(planner, options, vehicle);
   };
   (void)options_with({}, {});  // finds wrong options before a long read
@@ -213,9 +217,9 @@ void add_plan(CLI::App& vandplan, int& status) {
       ->capture_default_str();
   command
       ->add_option("--site", arguments->site,
-                   "Table of the site, see `vandplan table site`: begin with its way")
-      ->type_name("FILE")
-      ->excludes("--planner");
+                   "Table of the site, see `vandplan table site`: begin with its way, or\n"
+                   "look up its costs for estimate=site")
+      ->type_name("FILE");
   add_option_flags(*command, arguments->options);
   add_table_flag(*command, arguments->table);
   command

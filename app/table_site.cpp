@@ -149,9 +149,8 @@ void print_site_table(const std::string& file, bool json) {
          {"bytes", bytes}});
 }
 
-Planner planner_with_site(const std::string& file) {
+Planner naming_site(Planner planner, const std::string& file) {
   const std::string name = file == "-" ? "standard input" : file;
-  Planner planner = with_site(read_site_table(file));
   planner.function = [plan = planner.function, name](const Task& task, const PlanOptions& options) {
     try {
       return plan(task, options);

@@ -30,8 +30,7 @@ void add_jobs(CLI::App& command, int& jobs, const char* about);
 /// table.
 void print_site_table(const std::string& file, bool json);
 
-/// The default planner with the table of a file. What the planner throws about the table names the
-/// file. Throws InputError naming the file if it is not such a table.
-[[nodiscard]] Planner planner_with_site(const std::string& file);
+/// The planner, but what it throws about the table of the site names the table's file.
+[[nodiscard]] Planner naming_site(Planner planner, const std::string& file);
 
 }  // namespace vandplan::app

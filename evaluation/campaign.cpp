@@ -12,6 +12,7 @@
 #include "base/hash.h"
 #include "evaluation/methods.h"
 #include "evaluation/shards.h"
+#include "vandplan/graphs.h"
 #include "vandplan/input_error.h"
 #include "vandplan/random.h"
 
@@ -227,7 +228,7 @@ PlanOptions options_of(const Campaign& campaign, const Planner& planner, const V
   PlanOptions options;
   set_option(options, planner, "style", "shortest");
   set_honoured(options, planner, campaign.settings);
-  if (asks_for_table(planner, options)) options.table = campaign.table;
+  if (asks_for_estimate(planner, options, search::user_table)) options.table = campaign.table;
   options.budget.processor_time = options.budget.threads == 1;
   return complete(planner, options, vehicle);
 }

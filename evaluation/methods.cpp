@@ -7,6 +7,7 @@
 #include <set>
 
 #include "vandplan/evaluation.h"
+#include "vandplan/graphs.h"
 
 namespace vandplan::evaluation {
 namespace {
@@ -33,7 +34,12 @@ std::vector<Planner> with_each_estimate(const Planner& planner) {
   std::vector<Planner> found;
   for (const std::string& estimate : estimates) {
     const std::optional<Planner> guided = find_planner(planner.name + ":" + estimate);
-    if (guided && !asks_for_table(*guided, {})) found.push_back(*guided);
+    const auto asks_for = [&](std::string_view name) {
+      return asks_for_estimate(*guided, {}, name);
+    };
+    if (guided && !asks_for(search::user_table) && !asks_for(search::site_estimate)) {
+      found.push_back(*guided);
+    }
   }
   return found;
 }

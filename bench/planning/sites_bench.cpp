@@ -105,32 +105,32 @@ int run(int argc, char** argv) {
   std::vector<double> best(problems.size(), never);
   std::vector<double> ways, seconds, errors;
   std::vector<std::vector<double>> with, without, with_time, without_time;
-  const auto plans = [&](const Planner& planner, std::size_t i, std::vector<double>& spent) {
+  const auto plans = [&](const PlanOptions& given, std::size_t i, std::vector<double>& spent) {
     std::vector<double> costs;
     for (const double time : times) {
-      PlanOptions limited = options;
+      PlanOptions limited = given;
       limited.budget.time_limit = time;
       limited.budget.processor_time = true;
-      const PlanResult result = plan(problems[i], planner, limited);
+      const PlanResult result = plan(problems[i], limited);
       costs.push_back(result.path ? result.cost : never);
       spent.push_back(result.time_total);
       best[i] = std::min(best[i], costs.back());
     }
     return costs;
   };
-  const Planner by_table = with_site(table);
+  PlanOptions by_table = options;
+  by_table.site = std::make_shared<const SiteTable>(table);
   for (std::size_t i = 0; i < problems.size(); ++i) {
     begin = std::chrono::steady_clock::now();
     const auto way = site_way(table, problems[i], options);
     seconds.push_back(seconds_since(begin));
     ways.push_back(way ? way->cost : never);
     with.push_back(plans(by_table, i, with_time.emplace_back()));
-    without.push_back(plans(default_planner(), i, without_time.emplace_back()));
-    for (const Planner& planner : {by_table, default_planner()}) {
-      PlanOptions limited = options;
+    without.push_back(plans(options, i, without_time.emplace_back()));
+    for (PlanOptions limited : {by_table, options}) {
       limited.budget.time_limit = best_time;
       limited.budget.processor_time = true;
-      const PlanResult result = plan(problems[i], planner, limited);
+      const PlanResult result = plan(problems[i], limited);
       if (result.path) best[i] = std::min(best[i], result.cost);
     }
     errors.push_back(table.cost(problems[i].start(), 0) / best[i] - 1);

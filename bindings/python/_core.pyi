@@ -835,7 +835,6 @@ def read_result(scenario: Scenario, file: _File) -> Result: ...
 def read_result(scenario: _File, file: Scenario) -> Result: ...
 def planners() -> list[Planner]: ...
 def warm_started(path: Path | SpeedProfile | Result) -> Planner: ...
-def with_site(table: SiteTable) -> Planner: ...
 def read_site_table(file: _File) -> SiteTable: ...
 def site_table(
     scenario: Scenario,
@@ -868,6 +867,7 @@ def plan(
     max_iterations: int | None = None,
     seed: int = 1,
     on_interrupt: Literal["raise", "return"] = "raise",
+    site: SiteTable | None = None,
     **options: Unpack[_OptionsAndThreads],
 ) -> Result: ...
 @overload
@@ -879,6 +879,7 @@ def plan(
     max_iterations: int | None = None,
     seed: int = 1,
     on_interrupt: Literal["raise", "return"] = "raise",
+    site: SiteTable | None = None,
     **options: _Option,
 ) -> Result: ...
 @overload
@@ -892,6 +893,7 @@ def plan_many(
     time_limit: float | None = None,
     max_iterations: int | None = None,
     seed: int = 1,
+    site: SiteTable | None = None,
     **options: Unpack[_OptionsAndThreads],  # threads: old name of jobs
 ) -> list[Result]: ...
 @overload
@@ -905,6 +907,7 @@ def plan_many(
     time_limit: float | None = None,
     max_iterations: int | None = None,
     seed: int = 1,
+    site: SiteTable | None = None,
     **options: _Option,
 ) -> list[Result]: ...
 def check(

@@ -134,13 +134,16 @@ struct GoalEstimate {
 /// Name of the estimate that looks up a user's table (`PlanOptions::table`).
 inline constexpr std::string_view user_table = "table";
 
+/// Name of the estimate that looks up the costs of `PlanOptions::site`. Planners alone can make it.
+inline constexpr std::string_view site_estimate = "site";
+
 /// The estimate of that name for a task, which must outlive it. Throws InputError naming "estimate"
-/// for an unknown name (the message lists the names), and for `user_table`.
+/// for an unknown name (the message lists the names), for `user_table` and for `site_estimate`.
 [[nodiscard]] GoalEstimate make_goal_estimate(std::string_view name, const Task& task);
 
 /// The estimate of that name for a task, which must outlive it. `user_table` looks up `table`,
-/// which may be null for other names. Throws InputError naming "estimate" if the name is unknown or
-/// the table is missing.
+/// which may be null for other names. Throws InputError naming "estimate" if the name is unknown,
+/// the table is missing, or it is `site_estimate`.
 [[nodiscard]] GoalEstimate make_goal_estimate(std::string_view name, const Task& task,
                                               const HeuristicTable* table);
 

@@ -20,6 +20,8 @@
 
 namespace vandplan {
 
+class SiteTable;
+
 // ---- What can a planner do? ----
 //
 // A planner says so in its properties (planner.h). An option that needs more is refused.
@@ -37,7 +39,8 @@ enum class Capability : std::uint8_t {
   moving,            ///< avoids `Task::moving`; answers then have speeds, too
   trailers,          ///< plans for vehicles with a trailer
   goal_sets,         ///< takes `Task::goal_set`; without it `plan` gives it single goals in turn
-  via,  ///< takes `Task::via` and `GoalRegion::straight`; without it `plan` gives it legs
+  via,   ///< takes `Task::via` and `GoalRegion::straight`; without it `plan` gives it legs
+  site,  ///< uses `PlanOptions::site`
 };
 
 /// Name of the capability: "prices", "steering_of_rigs", ...
@@ -243,6 +246,9 @@ struct PlanOptions {
   std::shared_ptr<const HeuristicTable> table = {};
   /// Primitives that join the vertices of a lattice (graphs.h). None: made for the vehicle.
   std::shared_ptr<const search::Primitives> primitives = {};
+  /// Table of the site (site_table.h). The default planner begins with its way, and the estimate
+  /// "site" looks up its costs. None: no planner knows the site.
+  std::shared_ptr<const SiteTable> site = {};
   bool operator==(const PlanOptions&) const = default;
 };
 
@@ -254,7 +260,7 @@ struct Setting {
 };
 
 /// Options of all planners that have a value, set or default, and last a planner's own. Style,
-/// table and primitives are left out. `set_honoured` (planner.h) takes them; `set_option` throws
+/// tables and primitives are left out. `set_honoured` (planner.h) takes them; `set_option` throws
 /// for one that the planner does not honour.
 [[nodiscard]] std::vector<Setting> settings_of(const PlanOptions& options);
 

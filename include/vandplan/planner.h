@@ -112,7 +112,8 @@ struct PlanResult {
 
 /// The planner of that name; none if there is no such planner. For a search that is guided by an
 /// estimate, the estimate may stand behind a colon: "hrrt:hlut-4". "hrrt:max-hlut-4-bound" takes
-/// the larger of two estimates.
+/// the larger of two estimates. It knows the thesis' trees with the estimate "site", too, which are
+/// not among `planners()`: "rrt-opt-site".
 [[nodiscard]] std::optional<Planner> find_planner(std::string_view name);
 
 /// The planner of that name, as `find_planner` knows it. Throws InputError naming "planner" if
@@ -134,6 +135,7 @@ struct PlanResult {
 ///
 /// - a price that has an effect although the cost is the time,
 /// - "estimate" for the estimate "table" without a table, "table" for a table that is not used,
+/// - "site" for the estimate "site" without a table of the site, or for one that is not used,
 /// - "planner" if the planner cannot plan with a trailer, "steering" if not with that steering.
 [[nodiscard]] PlanOptions complete(const Planner& planner, const PlanOptions& options = {},
                                    const Vehicle& vehicle = {});
@@ -141,9 +143,10 @@ struct PlanResult {
 /// Whether a planner honours an option of that name: one of its own or one of all planners.
 [[nodiscard]] bool honours(const Planner& planner, std::string_view option);
 
-/// Whether the planner, with these options, looks up lengths in `PlanOptions::table`: one of its
-/// estimates is "table".
-[[nodiscard]] bool asks_for_table(const Planner& planner, const PlanOptions& options);
+/// Whether an estimate of the planner, with these options, has that name: "table" looks up
+/// `PlanOptions::table`, "site" looks up `PlanOptions::site`.
+[[nodiscard]] bool asks_for_estimate(const Planner& planner, const PlanOptions& options,
+                                     std::string_view name);
 
 /// Sets an option for a planner by name from text, as `--set` does. "style" resets the cost to
 /// `prices`, all prices and the steering; another "cost" resets the prices. Throws InputError

@@ -4,7 +4,12 @@
 // What does it cost to drive from everywhere on a site to its goals, looked up?
 //
 //   const auto table = vandplan::make_site_table(problem, docks, options);
-//   const auto result = vandplan::plan(problem, vandplan::with_site(*table), options);
+//   options.site = std::make_shared<const vandplan::SiteTable>(*table);
+//   const auto result = vandplan::plan(problem, options);
+//
+// The default planner begins with the way of the table. If the table has no free way, it plans
+// without. Of a set of goals and of vias, those poses begin so that the table has as goals. The
+// searches of graphs.h and the thesis' trees take the table's costs as the estimate "site".
 //
 // Method, size and errors: docs/algorithms/site_tables.md.
 
@@ -27,7 +32,6 @@
 
 namespace vandplan {
 
-struct Planner;
 namespace sites {
 struct SiteData;
 }
@@ -125,11 +129,6 @@ struct SiteCost {
 [[nodiscard]] std::vector<SiteCost> site_matrix(const SiteTable& table, const Problem& problem,
                                                 std::span<const Pose> starts,
                                                 const PlanOptions& options, int threads = 1);
-
-/// The default planner (planner.h) with a warm start from the way of a table. If the table has no
-/// free way, it plans without. Of a set of goals and of vias, those poses begin so that the table
-/// has as goals. When it plans, it throws InputError naming "site" as `site_way` does for one goal.
-[[nodiscard]] Planner with_site(const SiteTable& table);
 
 // ---- How does a table become a file, and how does a file become a table? ----
 //

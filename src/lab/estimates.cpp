@@ -133,6 +133,7 @@ void estimate_lengths(Estimate estimate, const Tree& tree, const Pose& sample, d
       return from_table(3, tree, sample, radius, lengths);
     case Estimate::hlut_4:
       return from_table(4, tree, sample, radius, lengths);
+    case Estimate::site:
     case Estimate::bound:
       return bound(tree, sample, radius, lengths);
     case Estimate::reeds_shepp:
@@ -142,7 +143,7 @@ void estimate_lengths(Estimate estimate, const Tree& tree, const Pose& sample, d
 
 void estimate_lengths_in(GearSign gear, Estimate estimate, const Tree& tree, const Pose& sample,
                          double radius, std::span<float> lengths) {
-  if (estimate == Estimate::euclid || estimate == Estimate::bound) {
+  if (estimate == Estimate::euclid || estimate == Estimate::bound || estimate == Estimate::site) {
     return estimate_lengths(estimate, tree, sample, radius, lengths);
   }
   if (gear > 0) return forward_lengths(estimate, columns(tree), sample, radius, lengths);

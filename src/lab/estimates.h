@@ -12,10 +12,11 @@
 
 namespace vandplan::search {
 
-/// Estimates of the length of the path from a node to a sample.
-enum class Estimate { euclid, hlut_1, hlut_2, hlut_3, hlut_4, bound, reeds_shepp };
+/// Estimates of the length of the path from a node to a sample. `site` is `bound`, which
+/// `GrownTree` raises by the table of a site.
+enum class Estimate { euclid, hlut_1, hlut_2, hlut_3, hlut_4, bound, reeds_shepp, site };
 
-/// Names of the estimates, in the order of the enum.
+/// Names of the estimates that need no table of a site, in the order of the enum.
 inline constexpr std::array<std::string_view, 7> estimate_names = {
     "euclid", "hlut-1", "hlut-2", "hlut-3", "hlut-4", "bound", "reeds-shepp"};
 

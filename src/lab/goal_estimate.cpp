@@ -40,6 +40,10 @@ GoalEstimate of_user(const Task& task, const HeuristicTable* table) {
   return looked_up(task, *table);
 }
 
+GoalEstimate of_site(const Task&, const HeuristicTable*) {
+  throw InputError("estimate", "site is for planners with a table of the site, PlanOptions::site");
+}
+
 template <FieldKind kind>
 GoalEstimate field(const Task& task, const HeuristicTable*) {
   return {.is_admissible = kind == FieldKind::any_angle,
@@ -79,6 +83,7 @@ constexpr std::array known_estimates = {
     Known{"grid", field<FieldKind::grid>},
     Known{"any-angle", field<FieldKind::any_angle>},
     Known{"choi", field<FieldKind::choi>},
+    Known{site_estimate, of_site},
 };
 
 constexpr auto names = [] {

@@ -6,6 +6,7 @@
 
 #include "lab/tree_parts.h"
 #include "planners/commands/closer.h"
+#include "sites/way.h"
 
 namespace vandplan::planning {
 
@@ -31,6 +32,12 @@ GrownTree::GrownTree(const Task& task, const PlanOptions& options, Estimate esti
       ranking_time_(profile_),
       rig_steering_time_(profile_),
       rig_checking_time_(profile_) {
+  if (estimate == Estimate::site) {
+    sites::expect_serves(*options.site, task, options);
+    site_.emplace(*options.site, task, connector_.rule().only_gear() != 0, max_nodes_);
+    site_->add(task.start);
+    lengths_.reserve(max_nodes_);
+  }
   if (!task.vehicle.trailer) return;
   rig_.emplace(task.vehicle);
   hitch_angles_.reserve(max_nodes_);
@@ -47,8 +54,9 @@ State GrownTree::state(NodeId node) const {
 const std::vector<Candidate>& GrownTree::first(std::size_t count, const State& sample) {
   ranking_time_.start();
   if (rig_table_) rank_by_table(sample);
+  if (site_) rank_by_site(sample.pose);
   const std::vector<Candidate>& candidates =
-      rig_table_ ? ranking_.first(count, lengths_) : ranking_.first(count, sample.pose);
+      rig_table_ || site_ ? ranking_.first(count, lengths_) : ranking_.first(count, sample.pose);
   ranking_time_.stop();
   return candidates;
 }
@@ -59,6 +67,12 @@ void GrownTree::rank_by_table(const State& sample) {
   for (const RigTable::Place& from : places_) {
     lengths_.push_back(static_cast<float>(rig_table_->look_up(from, to)));
   }
+}
+
+void GrownTree::rank_by_site(const Pose& sample) {
+  lengths_.resize(tree_.size());
+  estimate_lengths(Estimate::site, tree_, sample, connector_.radius(), lengths_);
+  site_->raise(Local(sample), lengths_);
 }
 
 std::optional<Adoption> GrownTree::try_edge(NodeId node, const State& to, double cutoff) {
@@ -89,6 +103,7 @@ std::optional<Adoption> GrownTree::try_rig_edge(NodeId node, const State& to, do
 NodeId GrownTree::add(const State& state, const Adoption& adoption) {
   const NodeId added = tree_.add(Local(state.pose), adoption.parent, adoption.cost_to_come);
   if (rig_) hitch_angles_.push_back(state.hitch_angle);
+  if (site_) site_->add(Local(state.pose));
   if (rig_table_) places_.push_back(rig_table_->place_of(state));
   ranking_.add_last();
   return added;

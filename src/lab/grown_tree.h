@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lab/ranking.h"
+#include "sites/estimate.h"
 #include "tables/rig_table.h"
 #include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
@@ -24,10 +25,12 @@ struct Adoption {
 
 /// A search tree, with its edges and the ranking of its nodes. With a trailer nodes are states of
 /// the rig, and edges are pieces of `RigSteering`. If the estimate is a table of the thesis, the
-/// table of rigs ranks states instead. Other estimates rank the poses of the vehicle.
+/// table of rigs ranks states instead. Other estimates rank the poses of the vehicle. The estimate
+/// `site` needs `PlanOptions::site`.
 class GrownTree {
  public:
-  /// A tree of the start alone. The task outlives the tree.
+  /// A tree of the start alone. The task outlives the tree. Throws InputError naming "site" if the
+  /// table of the estimate does not serve the task.
   GrownTree(const Task& task, const PlanOptions& options, search::Estimate estimate,
             search::RankBy by);
 
@@ -56,6 +59,7 @@ class GrownTree {
 
  private:
   void rank_by_table(const State& sample);
+  void rank_by_site(const Pose& sample);
   std::optional<Adoption> try_rig_edge(search::NodeId node, const State& to, double cutoff);
   [[nodiscard]] State state(search::NodeId node) const;
 
@@ -66,11 +70,12 @@ class GrownTree {
   search::Tree tree_;
   search::Ranking ranking_;
   search::PhaseTimer ranking_time_;
+  std::optional<sites::CostDifferences> site_;  // differences that raise lengths; or none
+  std::vector<float> lengths_;                  // length from each node to a sample [m]
   // The members below are used with a trailer only.
   std::optional<RigSteering> rig_;
   std::optional<RigTable> rig_table_;    // table that ranks the nodes; none: poses rank them
   std::vector<RigTable::Place> places_;  // place of each node in the table
-  std::vector<float> lengths_;           // length from each node to a sample [m]
   std::vector<double> hitch_angles_;     // hitch angle of each node [rad]
   std::vector<Segment> way_;             // segments of the kept way; empty: there is none
   std::int64_t rig_solves_ = 0, rig_checks_ = 0;

@@ -54,6 +54,8 @@ constexpr std::array rankings = {
     Ranking{Estimate::bound, "bound", "bound", "lower bound of its length", false},
     Ranking{Estimate::reeds_shepp, "rs", "reeds-shepp", "exact Reeds-Shepp length", false}};
 
+constexpr Ranking by_site = {Estimate::site, "site", "site", "a table of the site", false};
+
 Planner rrt_planner(const Choice& choice, const Ranking& ranking, bool tries_goal) {
   const rrt::Variant variant{choice.strategy, ranking.estimate};
   const std::string search = std::string("rrt-") + choice.name;
@@ -64,8 +66,7 @@ Planner rrt_planner(const Choice& choice, const Ranking& ranking, bool tries_goa
                                  .estimate = ranking.property,
                                  .search = search,
                                  .tries_goal = tries_goal,
-                                 .capabilities = {Capability::gears, Capability::steering,
-                                                  Capability::trailers},
+                                 .capabilities = {Capability::gears, Capability::steering},
                                  .anytime = true},
                   .options = rrt::options(tries_goal),
                   .function = [variant](const Task& task, const PlanOptions& options) {
@@ -76,6 +77,8 @@ Planner rrt_planner(const Choice& choice, const Ranking& ranking, bool tries_goa
     planner.properties.search += "-goal";
     planner.summary += ", goal tried from every node";
   }
+  planner.properties.capabilities.add(ranking.estimate == Estimate::site ? Capability::site
+                                                                         : Capability::trailers);
   if (ranking.in_thesis) planner.properties.groups = {tries_goal ? "thesis-goal" : "thesis"};
   return planner;
 }
@@ -102,6 +105,16 @@ std::vector<Planner> laboratory() {
   planners.push_back(rrt_connect::planner());
   planners.push_back(rrt_star::planner());
   for (Planner& planner : planners) name_estimate(planner);
+  return planners;
+}
+
+std::vector<Planner> laboratory_of_sites() {
+  std::vector<Planner> planners;
+  for (const bool tries_goal : {false, true}) {
+    for (const Choice& choice : choices) {
+      planners.push_back(rrt_planner(choice, by_site, tries_goal));
+    }
+  }
   return planners;
 }
 

@@ -24,7 +24,7 @@ Guide guide_named(const std::string& name, const Task& task, const PlanOptions& 
   if (name == table_name) {
     return {.length = [&graph](const Vertex& vertex) { return graph.least_way(vertex); }};
   }
-  GoalEstimate estimate = make_goal_estimate(name, task, options.table.get());
+  GoalEstimate estimate = planning::estimate_named(name, options, task);
   return {.length = [&graph, length = std::move(estimate.length)](
                         const Vertex& vertex) { return length(graph.pose_of(vertex)); },
           .is_admissible = estimate.is_admissible,

@@ -18,6 +18,17 @@ namespace {
 
 constexpr std::string_view primitives_key = "primitives";
 
+/// An option that is a file and no text, and what `set_option` says of it.
+struct FileOption {
+  std::string_view name;
+  const char* said;
+};
+
+constexpr std::array of_files = {
+    FileOption{planning::table_key, "is a table and no text, expected --table FILE"},
+    FileOption{primitives_key, "are a file and no text, expected --primitives FILE"},
+    FileOption{planning::site_key, "is a table and no text, expected --site FILE.vst"}};
+
 const OptionInfo* own_option(const Planner& planner, std::string_view name) {
   const auto found = std::ranges::find(planner.options, name, &OptionInfo::name);
   return found == planner.options.end() ? nullptr : &*found;
@@ -104,6 +115,7 @@ void refuse_ignored(const Planner& planner, const PlanOptions& options) {
   }
   if (options.table && !honours(planner, planning::table_key)) refuse(planner, planning::table_key);
   if (options.primitives && !honours(planner, primitives_key)) refuse(planner, primitives_key);
+  if (options.site && !honours(planner, planning::site_key)) refuse(planner, planning::site_key);
 }
 
 /// Throws InputError for a price that is set, unless to a value without effect.
@@ -129,14 +141,30 @@ void settle_style(const Planner& planner, const Vehicle& vehicle, PlanOptions& a
   all.steering = planner.properties.steering.value_or(usual);
 }
 
+/// The tree of that name that the estimate "site" guides; none if there is none.
+std::optional<Planner> tree_with_site(std::string_view name) {
+  static const std::vector<Planner> all = planning::laboratory_of_sites();
+  const auto found = std::ranges::find(all, name, &Planner::name);
+  return found == all.end() ? std::nullopt : std::optional(*found);
+}
+
 /// Throws InputError if a table is missing, or is given but not used.
-void settle_table(const Planner& planner, const PlanOptions& all) {
-  const bool is_asked = asks_for_table(planner, all);
-  if (is_asked && !all.table) {
+void settle_tables(const Planner& planner, const PlanOptions& all) {
+  const bool takes_table = asks_for_estimate(planner, all, search::user_table);
+  if (takes_table && !all.table) {
     throw InputError(std::string(planning::estimate_key), "table needs a table, and there is none");
   }
-  if (!is_asked && all.table) {
+  if (!takes_table && all.table) {
     throw InputError(std::string(planning::table_key), "is for estimate=table or max_with=table");
+  }
+  const bool takes_site = asks_for_estimate(planner, all, search::site_estimate);
+  if (takes_site && !all.site) {
+    throw InputError(std::string(planning::site_key),
+                     "the estimate needs a table of the site, expected --site FILE.vst, site=TABLE "
+                     "in Python, PlanOptions::site in C++");
+  }
+  if (!takes_site && all.site && own_option(planner, planning::estimate_key) != nullptr) {
+    throw InputError(std::string(planning::site_key), "is for estimate=site or max_with=site");
   }
 }
 
@@ -178,7 +206,7 @@ const Planner& default_planner() { return planners().front(); }
 std::optional<Planner> find_planner(std::string_view name) {
   const std::size_t colon = std::min(name.find(':'), name.size());
   const auto found = std::ranges::find(planners(), name.substr(0, colon), &Planner::name);
-  if (found == planners().end()) return std::nullopt;
+  if (found == planners().end()) return tree_with_site(name);
   if (colon == name.size()) return *found;
   return planning::with_estimate(*found, name.substr(colon + 1));
 }
@@ -207,11 +235,15 @@ bool honours(const Planner& planner, std::string_view option) {
   if (own_option(planner, option) != nullptr) return true;
   if (option == planning::table_key) return own_option(planner, planning::estimate_key) != nullptr;
   if (option == primitives_key) return planner.can(Capability::primitives);
+  if (option == planning::site_key) return planner.can(Capability::site);
   const CommonOption* const common = find_common_option(option);
   return common != nullptr && is_honoured(planner, *common);
 }
 
-bool asks_for_table(const Planner& planner, const PlanOptions& options) {
+bool asks_for_estimate(const Planner& planner, const PlanOptions& options, std::string_view name) {
+  if (own_option(planner, planning::estimate_key) == nullptr) {
+    return planner.properties.estimate == name;
+  }
   return std::ranges::any_of(
       std::array{planning::estimate_key, planning::max_with_key}, [&](std::string_view key) {
         const OptionInfo* const info = own_option(planner, key);
@@ -219,17 +251,14 @@ bool asks_for_table(const Planner& planner, const PlanOptions& options) {
         const OptionValue* const given = options.planner.find(key);
         const auto* const word =
             std::get_if<std::string>(given != nullptr ? given : &info->default_value);
-        return word != nullptr && *word == search::user_table;
+        return word != nullptr && *word == name;
       });
 }
 
 void set_option(PlanOptions& options, const Planner& planner, std::string_view name,
                 std::string_view text) {
-  if (name == planning::table_key && honours(planner, name)) {
-    throw InputError(std::string(name), "is a table and no text, expected --table FILE");
-  }
-  if (name == primitives_key && honours(planner, name)) {
-    throw InputError(std::string(name), "are a file and no text, expected --primitives FILE");
+  for (const auto& [file, said] : of_files) {
+    if (name == file && honours(planner, name)) throw InputError(std::string(name), said);
   }
   if (const OptionInfo* const own = own_option(planner, name)) {
     options.planner.set(name, parsed_value(*own, text));
@@ -279,7 +308,7 @@ PlanOptions complete(const Planner& planner, const PlanOptions& options, const V
     all.planner.set(info.name, given == nullptr ? info.default_value : fitting_value(info, *given));
   }
   settle_style(planner, vehicle, all);
-  settle_table(planner, all);
+  settle_tables(planner, all);
   if (!all.budget.time_limit && !all.budget.max_iterations) {
     all.budget.time_limit = default_time_limit;
   }

@@ -53,6 +53,7 @@ Path part_between(const Path& known, const LocalPose& from, const LocalPose& to)
 /// Plans with the default planner. A known path counts only if no obstacle moves.
 PlannerAnswer plan_by_default(const Task& task, const PlanOptions& options,
                               const anytime::Given& given) {
+  if (given.site != nullptr) sites::expect_serves(*given.site, task, options);
   if (!task.moving.empty()) return in_time::plan(task, options, given.sources);
   if (task.goal_set.empty()) return anytime::plan_anytime(task, options, given);
   const auto search_to = [&given, &task](const Task& to, const PlanOptions& round,
@@ -78,12 +79,12 @@ Planner anytime_planner() {
                                           Capability::steering, Capability::steering_of_rigs,
                                           Capability::threads, Capability::target_gap,
                                           Capability::moving, Capability::trailers,
-                                          Capability::goal_sets, Capability::via},
+                                          Capability::goal_sets, Capability::via, Capability::site},
                          .style = Style::driver,
                          .anytime = true},
           .options = {region_option(), anytime::min_stroke_option()},
           .function = [](const Task& task, const PlanOptions& options) {
-            return plan_by_default(task, options, {});
+            return plan_by_default(task, options, {.site = options.site.get()});
           }};
 }
 
@@ -109,16 +110,7 @@ Planner warm_started(const Path& path) {
   Planner planner = default_planner();
   planner.function = [path](const Task& task, const PlanOptions& options) {
     const Path known{to_local(*task.world, path.start), path.segments};
-    return planning::plan_by_default(task, options, {.known = &known});
-  };
-  return planner;
-}
-
-Planner with_site(const SiteTable& table) {
-  Planner planner = default_planner();
-  planner.function = [table](const Task& task, const PlanOptions& options) {
-    sites::expect_serves(table, task, options);
-    return planning::plan_by_default(task, options, {.site = &table});
+    return planning::plan_by_default(task, options, {.known = &known, .site = options.site.get()});
   };
   return planner;
 }
@@ -134,7 +126,8 @@ Planner with_sources(std::vector<NamedSource> sources) {
   }
   Planner planner = default_planner();
   planner.function = [sources = std::move(sources)](const Task& task, const PlanOptions& options) {
-    return planning::plan_by_default(task, options, {.sources = sources});
+    return planning::plan_by_default(task, options,
+                                     {.site = options.site.get(), .sources = sources});
   };
   return planner;
 }

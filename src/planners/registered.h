@@ -16,4 +16,8 @@ namespace vandplan::planning {
 /// methods. Nothing else of the library uses that folder.
 [[nodiscard]] std::vector<Planner> laboratory();
 
+/// Trees of the thesis that rank nodes by the estimate "site". They are not among `planners()`,
+/// since they cannot plan without a table of the site.
+[[nodiscard]] std::vector<Planner> laboratory_of_sites();
+
 }  // namespace vandplan::planning

@@ -7,6 +7,9 @@
 #include <string>
 #include <utility>
 
+#include "sites/estimate.h"
+#include "sites/way.h"
+
 namespace vandplan::planning {
 namespace {
 
@@ -77,14 +80,25 @@ void name_estimate(Planner& planner) {
   };
   const std::string second = word(*find_option(planner, max_with_key));
   planner.properties.search = planner.name;
+  planner.properties.capabilities.add(Capability::site);
   planner.properties.estimate =
       second == none ? word(*first) : std::string(max_prefix) + word(*first) + "-" + second;
 }
 
-search::GoalEstimate estimate_of(const PlanOptions& options, const Task& task) {
-  const auto named = [&](const std::string& name) {
+search::GoalEstimate estimate_named(std::string_view name, const PlanOptions& options,
+                                    const Task& task) {
+  if (name != search::site_estimate) {
     return search::make_goal_estimate(name, task, options.table.get());
-  };
+  }
+  sites::expect_serves(*options.site, task, options);
+  return {.name = std::string(name),
+          .length = [costs = sites::CostsToGoal(*options.site, task)](const LocalPose& from) {
+            return costs.from(from);
+          }};
+}
+
+search::GoalEstimate estimate_of(const PlanOptions& options, const Task& task) {
+  const auto named = [&](const std::string& name) { return estimate_named(name, options, task); };
   const std::string& second = options.planner.word(max_with_key);
   search::GoalEstimate first = named(options.planner.word(estimate_key));
   return second == none ? first : search::max_of(std::move(first), named(second));

@@ -17,8 +17,9 @@ namespace vandplan::planning {
 /// Names of the options of a search that is guided by an estimate of the cost-to-go.
 inline constexpr std::string_view estimate_key = "estimate";
 inline constexpr std::string_view max_with_key = "max_with";
-/// Name of `PlanOptions::table`, the table of such an estimate.
+/// Names of `PlanOptions::table` and `PlanOptions::site`, the tables of such an estimate.
 inline constexpr std::string_view table_key = "table";
+inline constexpr std::string_view site_key = "site";
 
 /// Option "region": sampling region.
 [[nodiscard]] OptionInfo region_option();
@@ -31,9 +32,14 @@ inline constexpr std::string_view table_key = "table";
 [[nodiscard]] std::vector<OptionInfo> estimate_options(std::string_view default_value,
                                                        std::string_view max_with = "none");
 
-/// Sets the properties `search` and `estimate` of a planner that takes an estimate: its own name,
-/// and the estimate that guides it by default.
+/// Sets the properties of a planner that takes an estimate: `search`, its own name; `estimate`, the
+/// one that guides it by default; `Capability::site`.
 void name_estimate(Planner& planner);
+
+/// Estimate of a name under complete options. The task outlives it. Throws InputError naming "site"
+/// if it looks up a table that does not serve the task.
+[[nodiscard]] search::GoalEstimate estimate_named(std::string_view name, const PlanOptions& options,
+                                                  const Task& task);
 
 /// Estimate that complete options name. The task outlives it.
 [[nodiscard]] search::GoalEstimate estimate_of(const PlanOptions& options, const Task& task);

@@ -39,6 +39,8 @@ constexpr std::string_view capability_name(Capability capability) noexcept {
       return "goal_sets";
     case Capability::via:
       return "via";
+    case Capability::site:
+      return "site";
   }
   return "";
 }

@@ -25,6 +25,9 @@ void check_options(const ReplanOptions& options) {
   base::require(options.better >= 0.0 && options.better <= 1.0, "better", options.better, "0 to 1");
   base::require(options.reserve >= 0.01 && options.reserve <= 0.5, "reserve", options.reserve,
                 "0.01 to 0.5");
+  if (options.plan.site) {
+    throw InputError("site", "expected none: planning anew knows no tables of sites");
+  }
 }
 
 void check_vehicle_of(const Scenario& scenario) {

@@ -36,7 +36,6 @@ constexpr std::size_t bits_of_word = 64;
 constexpr std::size_t word_size = 12;  // 64 bits and the number of bits set before them
 constexpr std::size_t pair_size = 6;   // costs and steps of both gears
 constexpr std::uint16_t unreached = 0xFFFF;
-constexpr double largest_cost = 0xFFFE;  // [units]
 constexpr std::uint8_t step_at_goal = 255;
 
 std::uint64_t words_of(const SiteGrid& grid) {
@@ -206,7 +205,7 @@ std::string layer_to_bytes(const SiteGrid& grid, std::vector<SiteRecord>& record
   });
   double most = 0.0;
   for (const SiteRecord& record : records) most = std::max(most, record.entry.cost);
-  layer.unit = std::max(most, 1.0) / largest_cost;
+  layer.unit = std::max(most, 1.0) / most_units;
   layer.reach = reach_of(grid, layer.goal);
   std::vector<std::uint64_t> words(static_cast<std::size_t>(words_of(grid)));
   std::string pairs;

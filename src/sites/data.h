@@ -42,6 +42,9 @@ namespace vandplan::sites {
 /// Arcs of the steps on each side; their curvatures are equal parts of the sharpest.
 inline constexpr int arcs_of_site = 2;
 
+/// Largest cost of a state [units of its layer].
+inline constexpr double most_units = 0xFFFE;
+
 /// Cells of a table.
 struct SiteGrid {
   Point corner = {};    ///< corner with the least x and y, in the scenario's frame [m]
@@ -81,6 +84,9 @@ struct SiteLayer {
   std::uint64_t count = 0;  ///< pairs of cell and heading that were reached
   /// Least cells by which the steps lead on: of each heading, gear and arc.
   std::vector<std::array<std::int32_t, 2>> reach = {};
+
+  /// Cost of the farthest state [m].
+  [[nodiscard]] double largest_cost() const noexcept { return most_units * unit; }
 };
 
 /// The step by an arc in a gear, as the vehicle drives it.

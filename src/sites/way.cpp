@@ -143,7 +143,8 @@ void WaySearch::try_joint(const Joint& joint) {
   best_ = std::move(all);
 }
 
-/// Number of the goal in the table that is the task's.
+}  // namespace
+
 std::optional<std::size_t> goal_in(const SiteTable& table, const Task& task) {
   for (std::size_t i = 0; i < table.goals().size(); ++i) {
     const LocalPose goal = to_local(*task.world, table.goals()[i]);
@@ -153,8 +154,6 @@ std::optional<std::size_t> goal_in(const SiteTable& table, const Task& task) {
   }
   return std::nullopt;
 }
-
-}  // namespace
 
 SiteState state_at(const SiteGrid& grid, const SiteLayer& layer, const Pose& pose) noexcept {
   const auto cell = [&grid](double x, double least) {

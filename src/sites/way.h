@@ -17,6 +17,9 @@ namespace vandplan::sites {
 [[nodiscard]] SiteState state_at(const SiteGrid& grid, const SiteLayer& layer,
                                  const Pose& pose) noexcept;
 
+/// Number of the goal of a table that is the task's; none if the table lacks it.
+[[nodiscard]] std::optional<std::size_t> goal_in(const SiteTable& table, const Task& task);
+
 /// Throws InputError naming "site" if a table does not hold for a task under complete options, or
 /// lacks its goal. Sets of goals are not looked for.
 void expect_serves(const SiteTable& table, const Task& task, const PlanOptions& options);

@@ -340,6 +340,30 @@ TEST_F(TableCommand, OfASiteIsTheBeginOfAPlan) {
   }
 }
 
+TEST_F(TableCommand, OfASiteGuidesSearches) {
+  const std::string scenario = folder_ / "a.yaml";
+  const std::string table = folder_ / "yard.vst";
+  write_content(scenario, yard_from("{x: 10, y: 15, heading: 3}"));
+  (void)json_of({"site", scenario, "--set", "style=shortest", "-o", table});
+  const auto planned = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"plan", scenario, "--max-iterations", "20000", "--planner"});
+    return run_vandplan(more);
+  };
+  for (const char* const planner : {"hybrid-a-star:site", "rrt-opt-site-goal"}) {
+    const Outcome outcome = planned({planner, "--site", table, "--json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(Json::parse(outcome.out)["planner"], planner);
+    EXPECT_EQ(planned({planner}).err,
+              "vandplan: site: the estimate needs a table of the site, expected --site FILE.vst, "
+              "site=TABLE in Python, PlanOptions::site in C++\n");
+  }
+  EXPECT_EQ(planned({"hybrid-a-star:choi", "--site", table}).err,
+            "vandplan: site: is for estimate=site or max_with=site\n");
+  EXPECT_EQ(planned({"hybrid-a-star:site", "--site", table, "--set", "reverse_weight=3"}).err,
+            "vandplan: " + table +
+                ": the table was made for other options: prices, gears or margin differ\n");
+}
+
 TEST_F(TableCommand, OfASiteIsRefusedElsewhere) {
   const std::string scenario = folder_ / "a.yaml";
   const std::string table = folder_ / "yard.vst";

@@ -102,6 +102,7 @@ TEST(GoalEstimate, NamesWhatIsUnknown) {
   const Problem problem = problem_of({0, 0, 0}, {30, 0, 0}, {});
   EXPECT_THROW((void)make_goal_estimate("guess", problem.task()), InputError);
   EXPECT_THROW((void)make_goal_estimate("table", problem.task()), InputError);
+  EXPECT_THROW((void)make_goal_estimate("site", problem.task()), InputError);
   const HeuristicTable table = thesis_table(2);
   const GoalEstimate estimate = make_goal_estimate("table", problem.task(), &table);
   EXPECT_EQ(estimate.name, "table");
@@ -153,7 +154,7 @@ TEST(GoalEstimateLaw, AdmissibleOnesAreNeverAboveAPath) {
     if (!result.path) return;
     const double length = result.cost;
     for (const std::string_view name : search::goal_estimate_names()) {
-      if (name == search::user_table) continue;
+      if (name == search::user_table || name == search::site_estimate) continue;
       const GoalEstimate estimate = make_goal_estimate(name, problem.task());
       if (!estimate.is_admissible) continue;
       for (const PathPoint& sample : sampled(*result.path, length / 50)) {
@@ -176,7 +177,7 @@ TEST(GoalEstimateLaw, IsTheSameInAMovedScenario) {
     const Problem there = make_problem(moved_by(scenario, 3000, -70));
     const LocalPose pose(uniform_pose(scenario.bounds, rng));
     for (const std::string_view name : search::goal_estimate_names()) {
-      if (name == search::user_table) continue;
+      if (name == search::user_table || name == search::site_estimate) continue;
       EXPECT_LT(apart(make_goal_estimate(name, here.task()).length(pose),
                       make_goal_estimate(name, there.task()).length(pose)),
                 1e-9)

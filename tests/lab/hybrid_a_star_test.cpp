@@ -204,7 +204,7 @@ TEST(HybridAStar, StepsShorterWhereThereIsLittleRoom) {
 
 TEST(HybridAStar, TakesEveryEstimate) {
   for (const std::string_view name : search::goal_estimate_names()) {
-    if (name == search::user_table) continue;
+    if (name == search::user_table || name == search::site_estimate) continue;
     const Planner planner = planner_named("hybrid-a-star:" + std::string(name));
     EXPECT_EQ(planner.properties.estimate, name);
     const PlanResult result = plan(around_the_wall_in_bounds(), planner, by_length());
@@ -221,7 +221,7 @@ TEST(HybridAStar, TakesEveryEstimate) {
 TEST(HybridAStar, LooksUpAUsersTable) {
   const Planner planner = planner_named("hybrid-a-star:max-table-any-angle");
   PlanOptions options = by_length();
-  EXPECT_TRUE(asks_for_table(planner, options));
+  EXPECT_TRUE(asks_for_estimate(planner, options, search::user_table));
   EXPECT_THROW((void)complete(planner, options), InputError);
   options.table = std::make_shared<const HeuristicTable>(thesis_table(4));
   const PlanResult result = plan(around_the_wall_in_bounds(), planner, options);

@@ -132,7 +132,7 @@ TEST(Capabilities, HaveNamesThatAreRead) {
     EXPECT_EQ(capability_named(name_of(capability)), capability);
   }
   EXPECT_EQ(name_of(all_capabilities().front()), "prices");
-  EXPECT_EQ(all_capabilities().back(), Capability::via);
+  EXPECT_EQ(all_capabilities().back(), Capability::site);
   EXPECT_EQ(message_of([] {
               (void)capability_named("price");
             }).substr(0, std::string("capabilities: \"price\" is unknown, did you mean ").size()),

@@ -31,17 +31,26 @@ def test_a_table_has_costs_from_everywhere(yard, table):
 def test_a_way_is_read_off_and_begins_a_plan(yard, table):
     way = table.way(yard)
     assert vp.check(yard, way)
-    result = vp.plan(yard, vp.with_site(table), max_iterations=50)
+    result = vp.plan(yard, site=table, max_iterations=50)
     assert result and result.cost < 1.2 * table.cost(yard.start)
-    again = vp.plan(yard, pickle.loads(pickle.dumps(vp.with_site(table))), max_iterations=50)
+    (again,) = vp.plan_many(yard, yard.start, yard.goal, site=table, max_iterations=50)
     assert again.path == result.path
+
+
+def test_searches_look_up_the_table(yard, table):
+    options = {"style": "driver", "max_iterations": 20_000}
+    assert vp.plan(yard, "hybrid-a-star:site", site=table, **options)
+    with pytest.raises(vp.InputError, match="site: the estimate needs a table of the site"):
+        vp.plan(yard, "rrt-opt-site")
+    with pytest.raises(vp.InputError, match="site: is for estimate=site"):
+        vp.plan(yard, "hybrid-a-star", site=table)
 
 
 def test_a_table_is_bound_to_its_world_and_prices(yard, table):
     wall = [(-20, 5), (16, 5), (16, 7), (-20, 7)]
     other = vp.Scenario((0, 0, 0), (0, 12, 0), bounds=(-50, 50, -50, 50), obstacles=[wall])
     with pytest.raises(vp.InputError, match="made for another world"):
-        vp.plan(other, vp.with_site(table))
+        vp.plan(other, site=table)
     with pytest.raises(vp.InputError, match="made for other options"):
         table.way(yard, reverse_weight=3)
     with pytest.raises(vp.InputError, match="the table has no such goal"):

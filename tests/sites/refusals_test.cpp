@@ -93,7 +93,7 @@ TEST(SiteRefusal, IsRefusedForMovingObstaclesAndTrailers) {
   const MovingObstacle crossing{.outline = box(-1, -1, 1, 1),
                                 .trajectory = {{0.0, {0, 30, 0}}, {9.0, {0, -30, 0}}}};
   const Problem busy = with_moving(problem, std::vector{crossing});
-  EXPECT_EQ(refusal([&] { (void)plan(busy, with_site(table), {}); }),
+  EXPECT_EQ(refusal([&] { (void)plan(busy, using_site(table)); }),
             "site: expected no moving obstacles: a table knows none");
   EXPECT_EQ(refusal([&] {
               (void)site_matrix(table, busy, std::vector<Pose>{{20, 0, 0}}, drivers_options());
@@ -102,7 +102,7 @@ TEST(SiteRefusal, IsRefusedForMovingObstaclesAndTrailers) {
   EXPECT_EQ(refusal([&] { (void)table_to(busy, drivers_options()); }),
             "moving: expected none: a table knows no moving obstacles");
   const Problem rig = problem_of({20, 0, 0}, {0, 0, 0}, {box(9, 9, 12, 12)}, area, semitrailer());
-  EXPECT_EQ(refusal([&] { (void)plan(rig, with_site(table), {}); }),
+  EXPECT_EQ(refusal([&] { (void)plan(rig, using_site(table)); }),
             "site: the table was made for another vehicle: its body, radius or trailer differs");
   const Problem any = with_goal_set(problem, {region_of_pose({0, 0, 0})});
   EXPECT_EQ(refusal([&] { (void)site_way(table, any, drivers_options()); }),
@@ -139,7 +139,7 @@ TEST(SiteRefusal, StopsAPlanForAnotherWorld) {
   const Problem problem = problem_of({20, 0, 0}, {0, 0, 0}, {}, area);
   const SiteTable table = table_to(problem, drivers_options());
   const Problem other = problem_of({20, 0, 0}, {0, 0, 0}, {box(9, 9, 12, 12)}, area);
-  EXPECT_EQ(refusal([&] { (void)plan(other, with_site(table), {}); }),
+  EXPECT_EQ(refusal([&] { (void)plan(other, using_site(table)); }),
             "site: the table was made for another world: bounds, obstacles, maps or zones differ");
 }
 

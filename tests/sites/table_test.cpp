@@ -303,7 +303,7 @@ TEST(SiteTable, GivesThePlannerItsFirstPath) {
     const SiteTable table = table_to(problem, all);
     const auto way = site_way(table, problem, all);
     if (!way) return;
-    const PlanResult result = plan(problem, with_site(table), options);
+    const PlanResult result = plan(problem, using_site(table, options));
     ASSERT_EQ(result.status, PlanStatus::solved);
     EXPECT_LE(result.cost, way->cost + 1e-3);
     ASSERT_FALSE(result.anytime.empty());
@@ -321,7 +321,7 @@ TEST(SiteTable, BeginsTheSearchesForTheGoalsOfASet) {
   PlanOptions options;
   options.budget.max_iterations = 40;  // too few without a table
   const Problem any = with_goal_set(problem, {region_of_pose(docks[0]), region_of_pose(docks[1])});
-  EXPECT_TRUE(plan(any, with_site(table), options).path);
+  EXPECT_TRUE(plan(any, using_site(table, options)).path);
   EXPECT_FALSE(plan(any, options).path);
 }
 

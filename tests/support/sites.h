@@ -3,6 +3,7 @@
 #pragma once
 // Tables of small sites.
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,12 @@ inline PlanOptions length_options() {
 inline SiteTable table_to(const Problem& problem, const PlanOptions& options,
                           const SiteTableOptions& table = coarse) {
   return make_site_table(problem, std::vector{problem.goal()}, options, table).value();
+}
+
+/// Options with a table of the site.
+inline PlanOptions using_site(const SiteTable& table, PlanOptions options = {}) {
+  options.site = std::make_shared<const SiteTable>(table);
+  return options;
 }
 
 /// What a call refuses.

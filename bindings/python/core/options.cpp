@@ -49,6 +49,7 @@ void set_keywords(PlanOptions& options, const Planner& planner, const RunKeyword
   if (keywords.time_limit) options.budget.time_limit = keywords.time_limit;
   if (keywords.max_iterations) options.budget.max_iterations = keywords.max_iterations;
   options.budget.seed = keywords.seed;
+  if (keywords.site) options.site = std::make_shared<const SiteTable>(*keywords.site);
 }
 
 PlanOptions options_for(const Planner& planner, std::span<const Setting> wanted,

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "vandplan/planner.h"
+#include "vandplan/site_table.h"
 
 namespace vandplan::python {
 
@@ -21,6 +22,7 @@ struct RunKeywords {
   std::optional<std::int64_t> max_iterations;
   std::uint64_t seed = 1;
   pybind11::dict options;  ///< All other keywords, with the names of `--set`.
+  std::optional<SiteTable> site = {};
 };
 
 /// Planner from a name, a `Planner`, or a function of a task.

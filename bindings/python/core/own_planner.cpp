@@ -15,7 +15,6 @@
 #include "bindings/python/core/options.h"
 #include "bindings/python/core/path_source.h"
 #include "bindings/python/core/result.h"
-#include "bindings/python/core/site.h"
 #include "bindings/python/core/task.h"
 #include "vandplan/input_error.h"
 
@@ -156,9 +155,6 @@ py::tuple planner_state(const Planner& planner) {
   if (const auto* const warm = planner.function.target<WarmFunction>()) {
     return py::make_tuple("warm", warm->path);
   }
-  if (const auto* const site = planner.function.target<SiteFunction>()) {
-    return py::make_tuple("site", site->table);
-  }
   if (planner.function.target<SourcesFunction>() != nullptr) {
     throw py::type_error("a planner with sources of paths cannot be pickled");
   }
@@ -176,7 +172,6 @@ py::tuple planner_state(const Planner& planner) {
 std::shared_ptr<Planner> planner_of(const py::tuple& state) {
   const auto kind = state[0].cast<std::string>();
   if (kind == "warm") return std::make_shared<Planner>(warm_planner(state[1].cast<Path>()));
-  if (kind == "site") return std::make_shared<Planner>(site_planner(state[1].cast<SiteTable>()));
   if (kind == "named") {
     return std::make_shared<Planner>(planner_named(state[1].cast<std::string>()));
   }

@@ -59,13 +59,14 @@ RunResult planned(const CheckedScenario& scenario, std::shared_ptr<const Planner
 
 RunResult plan_one(const CheckedScenario& scenario, const py::object& planner,
                    std::optional<double> time_limit, std::optional<std::int64_t> max_iterations,
-                   std::uint64_t seed, const std::string& on_interrupt, std::optional<double> time,
+                   std::uint64_t seed, const std::string& on_interrupt,
+                   const std::optional<SiteTable>& site, std::optional<double> time,
                    const py::kwargs& options) {
   time_limit = renamed("time_limit", time_limit, "time", time);
   const bool returns = returns_at_interrupt(on_interrupt);
   std::shared_ptr<const Planner> chosen = planner_from(planner);
   PlanOptions all =
-      options_for(*chosen, scenario.options(), {time_limit, max_iterations, seed, options},
+      options_for(*chosen, scenario.options(), {time_limit, max_iterations, seed, options, site},
                   scenario.scenario().vehicle);
   return planned(scenario, std::move(chosen), std::move(all), returns);
 }
@@ -94,14 +95,14 @@ std::vector<RunResult> plan_pairs(const CheckedScenario& scenario, const py::obj
                                   const py::object& goals, const py::object& planner,
                                   std::optional<int> given_jobs, std::optional<double> time_limit,
                                   std::optional<std::int64_t> max_iterations, std::uint64_t seed,
-                                  std::optional<double> time, std::optional<int> threads,
-                                  const py::kwargs& keywords) {
+                                  const std::optional<SiteTable>& site, std::optional<double> time,
+                                  std::optional<int> threads, const py::kwargs& keywords) {
   time_limit = renamed("time_limit", time_limit, "time", time);
   const int jobs = renamed("jobs", given_jobs, "threads", threads).value_or(1);
   if (jobs < 1 || jobs > 1024) throw InputError("jobs", "expected 1 to 1024");
   const std::shared_ptr<const Planner> chosen = planner_from(planner);
   PlanOptions options =
-      options_for(*chosen, scenario.options(), {time_limit, max_iterations, seed, keywords},
+      options_for(*chosen, scenario.options(), {time_limit, max_iterations, seed, keywords, site},
                   scenario.scenario().vehicle);
   std::vector<CheckedScenario> scenarios = scenarios_for(scenario, starts, goals);
   std::vector<Problem> problems;
@@ -155,9 +156,9 @@ RunResult smooth_path(const CheckedScenario& scenario, const py::object& given,
 void bind_planning(py::module_& module) {
   module.def("plan", &plan_one, "scenario"_a, "planner"_a = default_planner().name, py::kw_only(),
              "time_limit"_a = py::none(), "max_iterations"_a = py::none(), "seed"_a = 1,
-             "on_interrupt"_a = "raise", "time"_a = py::none(),
+             "on_interrupt"_a = "raise", "site"_a = py::none(), "time"_a = py::none(),
              R"(plan(scenario, planner="anytime", *, time_limit=None, max_iterations=None, seed=1,
-    on_interrupt="raise", **options) -> Result
+    on_interrupt="raise", site=None, **options) -> Result
 
 Plans a path; the judge checks it before it is returned.
 
@@ -167,6 +168,8 @@ Plans a path; the judge checks it before it is returned.
 - `seed`: seed of the random numbers.
 - `on_interrupt`: "raise": Ctrl-C ends the run and raises KeyboardInterrupt. "return": it returns
   the best path so far.
+- `site`: a `SiteTable`. The default planner begins with its way; searches with estimate="site" look
+  up its costs.
 - `options`: options of the command line's --set, such as margin=0.3, style="shortest",
   steering="continuous", threads=2. They replace those of the scenario's file.
 
@@ -175,9 +178,9 @@ m. Raises InputError, a ValueError, for wrong input.)");
   module.def("plan_many", &plan_pairs, "scenario"_a, "starts"_a, "goals"_a,
              "planner"_a = default_planner().name, py::kw_only(), "jobs"_a = py::none(),
              "time_limit"_a = py::none(), "max_iterations"_a = py::none(), "seed"_a = 1,
-             "time"_a = py::none(), "threads"_a = py::none(),
+             "site"_a = py::none(), "time"_a = py::none(), "threads"_a = py::none(),
              R"(plan_many(scenario, starts, goals, planner="anytime", *, jobs=1, time_limit=None,
-    max_iterations=None, seed=1, **options) -> list of Result
+    max_iterations=None, seed=1, site=None, **options) -> list of Result
 
 Plans from each start to its goal in the world of the scenario, `jobs` problems at a time.
 

@@ -3,8 +3,6 @@
 
 // Tables of what driving costs from everywhere on a site to its goals.
 
-#include "bindings/python/core/site.h"
-
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -127,8 +125,8 @@ void bind_table(py::module_& module) {
   py::class_<SiteTable>(module, "SiteTable",
                         R"(Costs of driving from everywhere on a site to its goals.
 
-`site_table` makes one, `read_site_table` reads one, `with_site` plans with it. It holds for one
-world, vehicle, prices and margin, and for any start.)")
+`site_table` makes one, `read_site_table` reads one, `plan(scenario, site=table)` plans with it. It
+holds for one world, vehicle, prices and margin, and for any start.)")
       .def_property_readonly(
           "goals",
           [](const SiteTable& self) { return array_of(std::span<const Pose>(self.goals())); },
@@ -157,12 +155,6 @@ The options are those of `plan`. Raises InputError if the table was made for som
 
 }  // namespace
 
-Planner site_planner(const SiteTable& table) {
-  Planner planner = with_site(table);
-  planner.function = SiteFunction{table, std::move(planner.function)};
-  return planner;
-}
-
 void bind_site(py::module_& module) {
   bind_table(module);
   module.def("site_table", &make_table, "scenario"_a, "goals"_a = py::none(), py::kw_only(),
@@ -189,14 +181,6 @@ ground and hold for every path. The other keywords are those of `site_table`.)")
   module.def("read_site_table", &read_table, "file"_a,
              "read_site_table(file) -> SiteTable\n\nReads a file of `SiteTable.save` or the "
              "command line.");
-  module.def(
-      "with_site", [](const SiteTable& table) { return site_planner(table); }, "table"_a,
-      R"(with_site(table) -> Planner
-
-The default planner with a warm start from the way of a `SiteTable`.
-
-Without such a way it plans as usual. Its `plan` raises InputError if the table was made for
-something else or lacks the goal, and among moving obstacles.)");
 }
 
 }  // namespace vandplan::python

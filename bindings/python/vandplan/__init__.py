@@ -79,7 +79,6 @@ from vandplan._core import (
     smooth,
     speed_profile,
     warm_started,
-    with_site,
     with_sources,
 )
 from vandplan.plotting import plot
@@ -152,6 +151,5 @@ __all__ = [
     "smooth",
     "speed_profile",
     "warm_started",
-    "with_site",
     "with_sources",
 ]

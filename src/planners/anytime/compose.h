@@ -25,7 +25,7 @@ struct Given {
   /// route along it is free, that is the first route, and it is improved before others are
   /// searched.
   const Path* known = nullptr;
-  /// A table that holds for the task; null: none. Without a known path its way is the known path.
+  /// A table that serves the task; null: none. Without a known path its way is the known path.
   const SiteTable* site = nullptr;
   std::span<const NamedSource> sources = {};  ///< sources of paths beside the planner's own workers
 };
