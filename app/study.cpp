@@ -203,6 +203,46 @@ void add_trailer_accuracy(CLI::App& studies) {
   command->callback([study, arguments] { report(study_of_trailer(*study), *arguments); });
 }
 
+struct SitesArguments {
+  SitesOptions options;
+  std::vector<std::string> files;
+};
+
+SitesStudy study_of(const SitesArguments& arguments) {
+  SitesOptions options = arguments.options;
+  for (const std::string& file : arguments.files) {
+    const ScenarioFile read = read_scenario_file(file);
+    warn(read.warnings);
+    options.sites.push_back({read.scenario.name, read.scenario});
+  }
+  return study_sites(options);
+}
+
+void add_sites(CLI::App& studies) {
+  CLI::App* const command = studies.add_subcommand(
+      "sites", "What do tables of the site bring the searches, and how coarse may they be?");
+  const auto study = std::make_shared<SitesArguments>();
+  const auto arguments = std::make_shared<StudyArguments>();
+  command
+      ->add_option("SCENARIO", study->files,
+                   "Sites (YAML); default: five of the thesis and examples/depot.yaml")
+      ->type_name("FILE");
+  command->add_option("--starts", study->options.starts, "Starts on each site; 1 to 1000")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000).description(""))
+      ->capture_default_str()
+      ->take_last();
+  command->add_option("--time", study->options.time_limit, "Processor time of each run [s]")
+      ->type_name("S")
+      ->check(CLI::Range(1e-4, 1e3).description(""))
+      ->capture_default_str()
+      ->take_last();
+  Options options(*command);
+  options.seed(study->options.seed);
+  options.output(*arguments);
+  command->callback([study, arguments] { report(study_of(*study), *arguments); });
+}
+
 void add_accuracy(CLI::App& studies) {
   CLI::App* const command = studies.add_subcommand(
       "accuracy", "How accurate are estimates of lengths? (Algorithm 4, Fig. 15)");
@@ -232,7 +272,7 @@ void add_study(CLI::App& vandplan, int&) {
     throw InputError(
         "study",
         "a study is missing, expected range, accuracy, trailer-accuracy, growth, symmetry, "
-        "steering or searches");
+        "steering, searches or sites");
   });
   add_study_of<RangeOptions>(
       *studies, "range",
@@ -276,6 +316,7 @@ void add_study(CLI::App& vandplan, int&) {
         declare.seed(options.seed);
       },
       study_searches);
+  add_sites(*studies);
 }
 
 }  // namespace vandplan::app

@@ -10,6 +10,7 @@
 #include "studies/growth.h"
 #include "studies/range.h"
 #include "studies/searches.h"
+#include "studies/sites.h"
 #include "studies/steering.h"
 #include "studies/symmetry.h"
 
@@ -23,6 +24,7 @@ using namespace studies;
 [[nodiscard]] std::string summary_of(const SymmetryStudy& study);
 [[nodiscard]] std::string summary_of(const SteeringStudy& study);
 [[nodiscard]] std::string summary_of(const SearchesStudy& study);
+[[nodiscard]] std::string summary_of(const SitesStudy& study);
 
 [[nodiscard]] nlohmann::ordered_json json_of(const RangeStudy& study);
 [[nodiscard]] nlohmann::ordered_json json_of(const AccuracyStudy& study);
@@ -30,5 +32,6 @@ using namespace studies;
 [[nodiscard]] nlohmann::ordered_json json_of(const SymmetryStudy& study);
 [[nodiscard]] nlohmann::ordered_json json_of(const SteeringStudy& study);
 [[nodiscard]] nlohmann::ordered_json json_of(const SearchesStudy& study);
+[[nodiscard]] nlohmann::ordered_json json_of(const SitesStudy& study);
 
 }  // namespace vandplan::app

@@ -1,9 +1,15 @@
-# The scenarios that a study draws become constant data of the program: no path to look for.
-set(scenario_entries "")
-foreach(name 3-h-shape 7-cage-to-cage)
-  set(file ${PROJECT_SOURCE_DIR}/scenarios/thesis/${name}.yaml)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
-  file(READ ${file} text)
-  string(APPEND scenario_entries "    {\"${name}\", R\"yaml(${text})yaml\"},\n")
-endforeach()
+# The scenarios that a study takes become constant data of the program: no path to look for.
+function(embed_scenarios list)
+  set(entries "")
+  foreach(file IN LISTS ARGN)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${file}.yaml)
+    file(READ ${PROJECT_SOURCE_DIR}/${file}.yaml text)
+    get_filename_component(name ${file} NAME)
+    string(APPEND entries "    {\"${name}\", R\"yaml(${text})yaml\"},\n")
+  endforeach()
+  set(${list} "${entries}" PARENT_SCOPE)
+endfunction()
+embed_scenarios(scenario_entries scenarios/thesis/3-h-shape scenarios/thesis/7-cage-to-cage)
+embed_scenarios(site_entries scenarios/thesis/3-h-shape scenarios/thesis/4-narrow-turn scenarios/thesis/5-leave-cage
+                scenarios/thesis/6-enter-cage scenarios/thesis/7-cage-to-cage examples/depot)
 configure_file(embedded_scenarios.h.in ${CMAKE_CURRENT_BINARY_DIR}/embedded_scenarios.h @ONLY)

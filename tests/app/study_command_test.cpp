@@ -123,6 +123,28 @@ TEST_F(StudyCommand, SearchesShowsEveryPlannerOfTheFamilyInBothScenarios) {
   expect_pictures("searches");
 }
 
+TEST_F(StudyCommand, SitesComparesSearchesOnASiteOfMine) {
+  const std::string yard = folder_.put("yard.yaml", R"(
+name: yard
+vehicle: {wheelbase: 2.5, front_overhang: 0.8, rear_overhang: 0.8, width: 1.8, min_turning_radius: 4}
+bounds: {x: [-15, 15], y: [-15, 15]}
+start: {x: 9, y: 0, heading: 0}
+goal: {x: 0, y: 0, heading: 0}
+obstacles:
+  - [[4, -8], [5, -8], [5, 8], [4, 8]]
+)");
+  const Json json = json_of({"sites", yard, "--starts", "1", "--time", "0.02"});
+  EXPECT_EQ(json.at("problems"), 1);
+  EXPECT_EQ(json.at("searches").at(0).at("search"), "hybrid A*");
+  EXPECT_EQ(json.at("searches").at(0).at("planners").back().at("planner"), "hybrid-a-star:site");
+  EXPECT_EQ(json.at("searches").at(0).at("planners").back().at("solved"), 1);
+  EXPECT_GE(json.at("tables").size(), 3U);
+  expect_pictures("sites");
+  EXPECT_EQ(complaint({"sites", "--starts", "0"}).substr(0, 9), "--starts:");
+  EXPECT_EQ(complaint({"sites", folder_ / "none.yaml"}),
+            (folder_ / "none.yaml") + ": cannot open: No such file or directory");
+}
+
 TEST_F(StudyCommand, TheSameSeedGivesTheSameNumbers) {
   const auto csv_of = [&](const char* seed) {
     json_of({"range", "--pairs", "50", "--seed", seed});
@@ -166,7 +188,7 @@ TEST_F(StudyCommand, AGnuplotThatFailsIsToldOf) {
 TEST_F(StudyCommand, RefusesBadInput) {
   EXPECT_EQ(complaint({}),
             "study: a study is missing, expected range, accuracy, trailer-accuracy, "
-            "growth, symmetry, steering or searches");
+            "growth, symmetry, steering, searches or sites");
   EXPECT_EQ(complaint({"range", "--radius", "-7"}), "--radius: is -7, expected 0.001 to 1000000 m");
   EXPECT_EQ(complaint({"range", "--reach", "nan"}), "--reach: is nan, expected 0.001 to 1000000 m");
   EXPECT_EQ(complaint({"searches", "--iterations", "0"}).substr(0, 13), "--iterations:");

@@ -10,9 +10,12 @@
 #include "studies/accuracy.h"
 #include "studies/growth.h"
 #include "studies/range.h"
+#include "studies/sites.h"
 #include "studies/steering.h"
 #include "studies/symmetry.h"
 #include "support/cases.h"
+#include "support/problems.h"
+#include "vandplan/input_error.h"
 #include "vandplan/random.h"
 #include "vandplan/steering.h"
 #include "vandplan/tables.h"
@@ -214,6 +217,63 @@ TEST(SteeringStudy, DrawnPathsEndAtTheirGoals) {
     EXPECT_NEAR(x, study.examples[i].goal.x, 1e-4);
     EXPECT_NEAR(y, study.examples[i].goal.y, 1e-4);
   }
+}
+
+// ---- sites ----
+
+/// A small yard with a wall, for a vehicle that turns on little room.
+StudiedSite small_yard() {
+  Scenario scenario{.bounds = {-15, 15, -15, 15}, .start = {10, 0, 0}, .goal = {-4, 0, 0}};
+  scenario.name = "yard";
+  scenario.vehicle.min_turning_radius = 4.0;
+  scenario.obstacles = {box(4, -8, 5, 8)};
+  return {"yard", scenario};
+}
+
+TEST(SitesStudy, ComparesTheTableWithTheBestOtherEstimateOfEachSearch) {
+  const SitesStudy study = study_sites({.starts = 2, .time_limit = 0.02, .sites = {small_yard()}});
+  ASSERT_LE(study.problems.size(), 2U);
+  ASSERT_GE(study.problems.size(), 1U);
+  EXPECT_EQ(study.problems[0].start, (Pose{10, 0, 0}));
+  for (const SiteSearch& search : study.searches) {
+    EXPECT_LT(search.rival, search.runs.size() - 1);
+    const SiteRuns& rival = search.runs[search.rival];
+    for (const SiteRuns& runs : search.runs) {
+      EXPECT_EQ(runs.costs.size(), study.problems.size()) << runs.planner;
+      EXPECT_GE(runs.over_best, 1.0) << runs.planner;
+      if (&runs == &search.runs.back()) continue;
+      EXPECT_LE(runs.solved, rival.solved) << runs.planner;
+    }
+    EXPECT_EQ(search.cost.pairs, static_cast<int>(study.problems.size()));
+    EXPECT_LE(search.shorter + search.longer, search.cost.pairs);
+  }
+  ASSERT_GE(study.resolutions.size(), 3U);
+  EXPECT_GT(study.resolutions.front().megabytes, 2 * study.resolutions.back().megabytes);
+}
+
+TEST(SitesStudy, FilesHoldEveryRunAndEveryResolution) {
+  const SitesStudy study = study_sites({.starts = 1, .time_limit = 0.01, .sites = {small_yard()}});
+  const StudyFiles files = files_of(study);
+  std::ptrdiff_t runs = 0;
+  for (const SiteSearch& search : study.searches) {
+    runs += static_cast<std::ptrdiff_t>(search.runs.size() * study.problems.size());
+  }
+  ASSERT_EQ(files.data.size(), 2U);
+  EXPECT_EQ(lines_of(files.data[0].content), 1 + runs);
+  EXPECT_EQ(lines_of(files.data[1].content), 1 + 3 * std::ssize(study.resolutions));
+  EXPECT_EQ(files.pictures, (std::vector<std::string>{"sites.png", "sites.svg"}));
+}
+
+TEST(SitesStudy, NamesASiteThatHasNoTable) {
+  StudiedSite yard = small_yard();
+  yard.scenario.goal = {4.5, 0, 0};
+  EXPECT_THROW((void)study_sites({.starts = 1, .sites = {yard}}), InputError);
+}
+
+TEST(SitesStudy, HasASiteWithManyDocks) {
+  const std::vector<StudiedSite> sites = usual_sites();
+  ASSERT_EQ(sites.size(), 6U);
+  EXPECT_EQ(sites.back().name, "depot");
 }
 
 }  // namespace
