@@ -76,6 +76,10 @@ class DriveField {
   [[nodiscard]] const Node& node(std::int32_t id) const {
     return nodes_[static_cast<std::size_t>(id)];
   }
+  /// Node that was expanded in a cell, heading and gear; `none` if there is none.
+  [[nodiscard]] std::int32_t expanded(std::int64_t cell, int heading, int gear) const noexcept {
+    return states_[state_of(cell, heading, gear)].node;
+  }
   [[nodiscard]] LocalPose pose(const Node& node) const;
   /// Segment that leads from a node's parent to the node.
   [[nodiscard]] Segment step_to(const Node& node) const;

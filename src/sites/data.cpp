@@ -198,11 +198,8 @@ Segment site_step(const SiteGrid& grid, int gear, int arc) noexcept {
   return {arc / sharpest, gear * length};
 }
 
-std::string layer_to_bytes(const SiteGrid& grid, std::vector<SiteRecord>& records,
+std::string layer_to_bytes(const SiteGrid& grid, const std::vector<SiteRecord>& records,
                            SiteLayer& layer) {
-  std::ranges::sort(records, [](const SiteRecord& a, const SiteRecord& b) {
-    return std::pair(a.pair, -a.gear) < std::pair(b.pair, -b.gear);
-  });
   double most = 0.0;
   for (const SiteRecord& record : records) most = std::max(most, record.entry.cost);
   layer.unit = std::max(most, 1.0) / most_units;

@@ -113,10 +113,10 @@ struct SiteRecord {
   SiteEntry entry = {};
 };
 
-/// Numbers of one layer as bytes. Sorts the records by pair. `layer` has its goal, and gets the
-/// rest but for its place.
-[[nodiscard]] std::string layer_to_bytes(const SiteGrid& grid, std::vector<SiteRecord>& records,
-                                         SiteLayer& layer);
+/// Numbers of one layer as bytes. The records are in the order of their pairs, driving forward
+/// first. `layer` has its goal, and gets the rest but for its place.
+[[nodiscard]] std::string layer_to_bytes(const SiteGrid& grid,
+                                         const std::vector<SiteRecord>& records, SiteLayer& layer);
 
 /// The file of a table. The layers' places are computed here.
 [[nodiscard]] std::string site_to_bytes(const SiteKey& key, const SiteGrid& grid,

@@ -118,14 +118,22 @@ class LayerMaker {
                         most_sides * (box.x_max - box.x_min + box.y_max - box.y_min))),
         stop_(options.stop) {}
 
-  /// [3] Records of all states that were reached; none if the work was stopped.
+  /// [3] Records of all states that were reached, in order; none if the work was stopped.
   [[nodiscard]] std::optional<std::vector<SiteRecord>> records() {
     field_.look_towards(nowhere_);
-    std::vector<SiteRecord> records;
+    std::size_t count = 0;
     for (int poses = 0; !field_.is_exhausted(); ++poses) {
       if (poses % poses_between_looks == 0 && stop_.stop_requested()) return std::nullopt;
-      const std::int32_t id = field_.step();
-      if (id != DriveField::none) records.push_back(record(field_.node(id)));
+      if (field_.step() != DriveField::none) ++count;
+    }
+    std::vector<SiteRecord> records;
+    records.reserve(count);
+    for (std::int64_t pair = 0; pair < field_.columns() * field_.rows() * headings_; ++pair) {
+      for (const int gear : {1, -1}) {
+        const auto heading = static_cast<int>(pair % headings_);
+        const std::int32_t id = field_.expanded(pair / headings_, heading, gear);
+        if (id != DriveField::none) records.push_back(record(field_.node(id)));
+      }
     }
     return records;
   }
