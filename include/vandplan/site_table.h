@@ -118,13 +118,14 @@ struct SiteWay {
 struct SiteCost {
   /// Cost of a free way of arcs and lines [m], as `SiteWay::cost`; infinite if none was found.
   double cost = std::numeric_limits<double>::infinity();
-  /// Proven lower bound of the cost of every path [m]: that of open ground.
+  /// Proven lower bound of the cost of every path [m]: that of open ground. It counts paths that
+  /// end exactly at the goal.
   double lower_bound = 0.0;
 };
 
 /// Costs from each start to each goal of a table, in the scenario's frame: start by start, and for
 /// each start as many as there are goals. Start and goal of the problem do not matter; the options
-/// must be complete. `threads` share the starts, with equal results; below 1 counts as 1. Throws
+/// must be complete. `threads` share the pairs, with equal results; below 1 counts as 1. Throws
 /// InputError naming "site" as `site_way` does, or "starts[2]" for a start out of range.
 [[nodiscard]] std::vector<SiteCost> site_matrix(const SiteTable& table, const Problem& problem,
                                                 std::span<const Pose> starts,

@@ -180,6 +180,7 @@ std::optional<SiteEntry> SiteData::find(const SiteLayer& layer,
   if (cost == unreached) return std::nullopt;
   SiteEntry entry = entry_of(read_at<std::uint8_t>(all, pair_at + 4 + gear), layer, state);
   entry.cost = layer.unit * cost;
+  entry.place = static_cast<std::size_t>(place);
   return entry;
 }
 

@@ -68,6 +68,7 @@ struct SiteState {
 
 /// What a table knows of a state: the cost of its way to the goal, and the first step of that way.
 struct SiteEntry {
+  std::size_t place = 0;               ///< number of the pair among those that were reached
   double cost = 0.0;                   ///< [m]
   bool is_goal = false;                ///< whether the way is empty
   int arc = 0;                         ///< step: number of the arc, left above 0; 0 straight

@@ -29,7 +29,8 @@ constexpr double room_of_step = 0.2;  // room that the longest step needs [turni
 /// Costs up to which ways are looked for: turning radii, and sides of the site.
 constexpr double most_radii = 160.0;
 constexpr double most_sides = 8.0;
-constexpr int poses_between_looks = 4096;  // poses expanded between looks at the stop token
+constexpr std::size_t starts_of_block = 256;  // starts of a matrix that a thread takes at once
+constexpr int poses_between_looks = 4096;     // poses expanded between looks at the stop token
 
 /// Guide of a field that spreads to everywhere.
 class Nowhere final : public search::Guide {
@@ -264,15 +265,29 @@ std::vector<SiteCost> site_matrix(const SiteTable& table, const Problem& problem
   const std::vector<Pose>& goals = table.goals();
   const CostRule rule = search::cost_rule(options.cost);  // bounds leave zones out
   std::vector<SiteCost> costs(starts.size() * goals.size());
-  parallel_for(starts.size(), std::max(1, threads), [&](std::size_t i) {
-    for (std::size_t j = 0; j < goals.size(); ++j) {
-      const Problem pair = between(problem, starts[i], goals[j], place_in("starts", i));
-      const Task task = task_of(pair, options.clearance);
+  std::vector<LocalPose> from;
+  from.reserve(starts.size());
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    from.push_back(between(problem, starts[i], goals.front(), place_in("starts", i)).task().start);
+  }
+  // Starts of a block share what is known of the ways to the goal, but for ramps around a start.
+  const bool has_ramps = options.clearance.margin > 0.0 && options.clearance.margin_ramp > 0.0;
+  const std::size_t size = has_ramps ? 1 : starts_of_block;
+  const std::size_t blocks = (starts.size() + size - 1) / size;
+  parallel_for(goals.size() * blocks, std::max(1, threads), [&](std::size_t work) {
+    const std::size_t j = work / blocks;
+    const std::size_t begin = work % blocks * size;
+    const std::size_t end = std::min(starts.size(), begin + size);
+    const Problem pair = between(problem, starts[begin], goals[j], place_in("starts", begin));
+    const Task task = task_of(pair, options.clearance, Steering::reeds_shepp);
+    const CostRule prices = search::cost_rule(options.cost, task);
+    sites::Ways ways(table.data(), table.data().layers[j], task, prices);
+    Connector open(task, rule);
+    for (std::size_t i = begin; i < end; ++i) {
       SiteCost& cost = costs[i * goals.size() + j];
-      cost.lower_bound =
-          Connector(task, rule).least_cost(task.start, task.goal, {rule.initial_gear, 0});
-      if (!task.checker->is_free(task.start)) continue;
-      const std::optional<SiteWay> way = sites::way_in_world(table, task, options.cost);
+      cost.lower_bound = open.least_cost(from[i], task.goal, {rule.initial_gear, 0});
+      if (!task.checker->is_free(from[i])) continue;
+      const auto way = ways.find(from[i]);
       if (way) cost.cost = way->cost;
     }
   });

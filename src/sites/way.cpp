@@ -7,141 +7,24 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <tuple>
 #include <utility>
 
 #include "vandplan/input_error.h"
 #include "vandplan/search.h"
+#include "vandplan/steering.h"
 
 namespace vandplan::sites {
 namespace {
 
-using search::Connector, search::CostRule;
+using search::CostRule;
 
 /// Steps after which a way from a state near the start is joined. Joints that replace few steps
 /// need shunts, joints that replace many are blocked more often.
-constexpr std::array<int, 8> steps_replaced = {1, 2, 3, 4, 6, 8, 12, 18};
-constexpr int most_joints = 48;        // joints tried for one way
-constexpr int most_steps = 1'000'000;  // steps of a way; only an altered table has more
-constexpr double same_place = 1e-6;    // places and headings of equal goals [m, rad]
-
-/// State of a table where a joint may end.
-struct Joint {
-  SiteState state;
-  double cost;   // from there to the goal [m]
-  double bound;  // approximate lower bound of the cost by way of the state [m]
-};
-
-/// Finds the way of one layer from the start of a task.
-class WaySearch {
- public:
-  WaySearch(const SiteData& data, const SiteLayer& layer, const Task& task, const CostRule& rule)
-      : data_(data), layer_(layer), task_(task), connector_(task, rule) {}
-
-  [[nodiscard]] std::optional<std::vector<Segment>> segments() {
-    find_joints();
-    int tried = 0;
-    for (const Joint& joint : joints_) {
-      if (joint.bound >= cost_ || tried++ == most_joints) break;
-      try_joint(joint);
-    }
-    return std::move(best_);
-  }
-
- private:
-  void find_joints();
-  void follow(SiteState state);
-  void add(const SiteState& state, const SiteEntry& entry);
-  [[nodiscard]] std::vector<Segment> steps_from(SiteState state) const;
-  void try_joint(const Joint& joint);
-
-  const SiteData& data_;
-  const SiteLayer& layer_;
-  const Task& task_;
-  Connector connector_;
-  std::vector<Joint> joints_;
-  std::optional<std::vector<Segment>> best_;
-  double cost_ = std::numeric_limits<double>::infinity();
-};
-
-/// [4] [5] Collects states on the ways from all states around the start, the most promising ones
-/// first.
-void WaySearch::find_joints() {
-  const SiteState start = state_at(data_.grid, layer_, to_scenario(*task_.world, task_.start));
-  const int headings = data_.grid.headings;
-  for (int number = 0; number < 3 * 3 * 3 * 2; ++number) {
-    const int turn = number / 9 % 3 - 1;
-    follow({.column = start.column + number % 3 - 1,
-            .row = start.row + number / 3 % 3 - 1,
-            .heading = (start.heading + turn + headings) % headings,
-            .gear = number < 27 ? 1 : -1});
-  }
-  const auto rank = [](const Joint& joint) {
-    const SiteState& state = joint.state;
-    return std::tuple(joint.bound, state.column, state.row, state.heading, state.gear);
-  };
-  std::ranges::sort(joints_, [&rank](const Joint& a, const Joint& b) { return rank(a) < rank(b); });
-  const auto is_same = [](const Joint& a, const Joint& b) { return a.state == b.state; };
-  joints_.erase(std::unique(joints_.begin(), joints_.end(), is_same), joints_.end());
-}
-
-void WaySearch::follow(SiteState state) {
-  std::optional<SiteEntry> entry = data_.find(layer_, state);
-  std::size_t next = 0;
-  for (int steps = 0; entry && next < steps_replaced.size(); ++steps) {
-    if (steps == steps_replaced[next]) {
-      add(state, *entry);
-      ++next;
-    }
-    if (entry->is_goal) return add(state, *entry);
-    state = data_.after(state, *entry);
-    entry = data_.find(layer_, state);
-  }
-}
-
-void WaySearch::add(const SiteState& state, const SiteEntry& entry) {
-  const Point& origin = task_.world->origin();
-  const double cell = data_.grid.cell;
-  const double x = data_.grid.corner.x - origin.x + (state.column + 0.5) * cell;
-  const double y = data_.grid.corner.y - origin.y + (state.row + 0.5) * cell;
-  const double away = std::hypot(task_.start.x - x, task_.start.y - y) - cell / std::sqrt(2.0);
-  joints_.push_back({state, entry.cost, entry.cost + std::max(0.0, away)});
-}
-
-/// The steps from a state to the goal; none if the table leads nowhere.
-std::vector<Segment> WaySearch::steps_from(SiteState state) const {
-  std::vector<Segment> steps;
-  for (int i = 0; i < most_steps; ++i) {
-    const std::optional<SiteEntry> entry = data_.find(layer_, state);
-    if (!entry) break;
-    if (entry->is_goal) return steps;
-    steps.push_back(site_step(data_.grid, state.gear, entry->arc));
-    state = data_.after(state, *entry);
-  }
-  return {};
-}
-
-/// [6] Drives to the pose that a state keeps, and from there the steps of the table. The pose
-/// follows from the goal, whose steps are driven backwards.
-void WaySearch::try_joint(const Joint& joint) {
-  const std::vector<Segment> steps = steps_from(joint.state);
-  if (steps.empty() && joint.cost > 0.0) return;
-  LocalPose pose = task_.goal;
-  for (std::size_t i = steps.size(); i > 0; --i) {
-    pose = advance(pose, Segment{steps[i - 1].curvature, -steps[i - 1].length});
-  }
-  search::DrivenBeside beside{connector_.rule().initial_gear, 0};
-  if (!steps.empty()) beside.after = {search::gear_of(steps.front()), steps.front().curvature};
-  const auto to_joint =
-      connector_.connect(Local(State{task_.start, 0.0}), pose, {0.0, cost_ - joint.cost, beside});
-  if (!to_joint) return;
-  std::vector<Segment> all(to_joint->piece.view().begin(), to_joint->piece.view().end());
-  all.insert(all.end(), steps.begin(), steps.end());
-  all = merged(all);
-  if (!task_.checker->is_free(task_.start, all)) return;
-  cost_ = to_joint->cost + joint.cost;
-  best_ = std::move(all);
-}
+constexpr std::array<int, 11> steps_replaced = {1, 2, 3, 4, 6, 8, 11, 14, 18, 23, 28};
+constexpr std::size_t most_followed = 16;  // states near the start whose ways are followed
+constexpr int most_joints = 64;            // joints tried for one way
+constexpr double same_place = 1e-6;        // places and headings of equal goals [m, rad]
+constexpr double straight = 1e-3;  // what a straight piece is longer by than the distance [m]
 
 }  // namespace
 
@@ -153,6 +36,119 @@ std::optional<std::size_t> goal_in(const SiteTable& table, const Task& task) {
     if (away < same_place && turn < same_place) return i;
   }
   return std::nullopt;
+}
+
+Ways::Ways(const SiteData& data, const SiteLayer& layer, const Task& task, const CostRule& rule)
+    : data_(data),
+      layer_(layer),
+      task_(task),
+      connector_(task, rule),
+      tails_(data, layer, task.goal) {}
+
+/// [4] Collects tails on the ways from the states around the start that are nearest to the goal.
+void Ways::find_joints(const LocalPose& start) {
+  struct Near {
+    SiteState state;
+    SiteEntry entry;
+  };
+  const SiteState at = state_at(data_.grid, layer_, to_scenario(*task_.world, start));
+  const int headings = data_.grid.headings;
+  std::vector<Near> near;
+  for (int number = 0; number < 3 * 3 * 3 * 2; ++number) {
+    const int turn = number / 9 % 3 - 1;
+    const SiteState state{.column = at.column + number % 3 - 1,
+                          .row = at.row + number / 3 % 3 - 1,
+                          .heading = (at.heading + turn + headings) % headings,
+                          .gear = number < 27 ? 1 : -1};
+    const auto entry = data_.find(layer_, state);
+    if (entry) near.push_back({state, *entry});
+  }
+  std::ranges::stable_sort(
+      near, [](const Near& a, const Near& b) { return a.entry.cost < b.entry.cost; });
+  if (near.size() > most_followed) near.resize(most_followed);
+  ++starts_;
+  joints_.clear();
+  for (const auto& [state, entry] : near) follow(tails_.find(state, entry));
+}
+
+/// Collects tails until the way meets one that was followed before.
+void Ways::follow(Tails::Id tail) {
+  std::size_t next = 0;
+  for (int steps = 0; tail != Tails::none && next < steps_replaced.size(); ++steps) {
+    const auto number = static_cast<std::size_t>(tail);
+    if (met_by_.size() <= number) met_by_.resize(2 * number + 1);
+    if (met_by_[number] == starts_) return;
+    met_by_[number] = starts_;
+    const Tails::Id after = tails_[tail].next;
+    if (steps == steps_replaced[next] || after == Tails::none) {
+      joints_.push_back({tail, 0.0});
+      ++next;
+    }
+    tail = after;
+  }
+}
+
+/// [5] Ranks the joints by the table's costs and by lengths on open ground. All pieces but straight
+/// ones have three segments, unless poses lie as if made for each other: so the wheels turn twice.
+void Ways::rank(const LocalPose& start) {
+  const CostRule& rule = connector_.rule();
+  const double metre = std::min(rule.forward_weight, rule.reverse_weight);
+  const double wheels = 2 * rule.curvature_change_cost / connector_.radius();
+  x_.clear();
+  y_.clear();
+  heading_.clear();
+  for (const Joint& joint : joints_) {
+    const LocalPose& pose = tails_[joint.tail].pose;
+    x_.push_back(static_cast<float>(pose.x));
+    y_.push_back(static_cast<float>(pose.y));
+    heading_.push_back(static_cast<float>(pose.heading));
+  }
+  lengths_.resize(joints_.size());
+  reeds_shepp_lengths({x_, y_, heading_}, start, connector_.radius(), lengths_);
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const double away =
+        std::hypot(static_cast<double>(x_[i]) - start.x, static_cast<double>(y_[i]) - start.y);
+    const auto length = static_cast<double>(lengths_[i]);
+    joints_[i].bound = tails_[joints_[i].tail].roughly + metre * length +
+                       (length > away + straight ? wheels : 0.0);
+  }
+  // Numbers of tails depend on other starts, so they must not decide.
+  std::ranges::stable_sort(joints_,
+                           [](const Joint& a, const Joint& b) { return a.bound < b.bound; });
+}
+
+/// [6] The costs of tails are the table's until a way is chosen: few tails have to be priced.
+std::optional<Ways::Found> Ways::find(const LocalPose& start) {
+  find_joints(start);
+  rank(start);
+  const CostRule& rule = connector_.rule();
+  std::vector<Found> ways;
+  double least = std::numeric_limits<double>::infinity();
+  int tried = 0;
+  for (const Joint& joint : joints_) {
+    if (joint.bound >= least || tried++ == most_joints) break;
+    const Tails::Tail& tail = tails_[joint.tail];
+    const search::DrivenBeside beside{rule.initial_gear, tails_.first(joint.tail, rule)};
+    const auto piece = connector_.connect(Local(State{start, 0.0}), tail.pose,
+                                          {0.0, least - tail.roughly, beside});
+    if (!piece) continue;
+    least = tail.roughly + piece->cost;
+    ways.push_back({piece->piece, joint.tail, piece->cost});
+  }
+  for (; !ways.empty(); ways.pop_back()) {
+    Found& way = ways.back();
+    way.cost += tails_.cost(way.tail, connector_);
+    if (way.cost < std::numeric_limits<double>::infinity()) return way;
+  }
+  return std::nullopt;
+}
+
+std::vector<Segment> Ways::segments(const Found& way) const {
+  std::vector<Segment> all(way.piece.view().begin(), way.piece.view().end());
+  for (Tails::Id id = way.tail; tails_[id].next != Tails::none; id = tails_[id].next) {
+    all.push_back(tails_[id].step);
+  }
+  return merged(all);
 }
 
 SiteState state_at(const SiteGrid& grid, const SiteLayer& layer, const Pose& pose) noexcept {
@@ -186,13 +182,12 @@ std::optional<SiteWay> way_in_world(const SiteTable& table, const Task& task,
   Task relaxed = task;
   relaxed.steering = Steering::reeds_shepp;
   const CostRule rule = search::cost_rule(cost, relaxed);
-  std::optional<std::vector<Segment>> segments =
-      WaySearch(table.data(), table.data().layers[way.goal], relaxed, rule).segments();
-  if (!segments) return std::nullopt;
-  way.path = {task.start, *std::move(segments)};
-  way.cost = drive_cost(rule, way.path.segments) +
-             clearance_cost(relaxed, rule, start_state(relaxed), way.path.segments,
-                            search::ClearanceSampling::search);
+  Ways ways(table.data(), table.data().layers[way.goal], relaxed, rule);
+  const std::optional<Ways::Found> found = ways.find(task.start);
+  if (!found) return std::nullopt;
+  way.path = {task.start, ways.segments(*found)};
+  way.cost = found->cost;
+  if (!task.checker->is_free(task.start, way.path.segments)) return std::nullopt;
   return way;
 }
 

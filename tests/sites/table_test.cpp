@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "sites/data.h"
+#include "sites/way.h"
 #include "support/cases.h"
 #include "support/problems.h"
 #include "support/sites.h"
@@ -215,6 +216,21 @@ TEST(SiteTable, WaysLeadAroundDearGround) {
   EXPECT_LT(straight->cost, 42);
 }
 
+TEST(SiteTable, WhatItsStepsTouchIsNoWay) {
+  // The table was made for a world without the wall: only its steps tell.
+  const Pose start{-30, 0, 0};
+  const Pose goal{30, 0, 0};
+  const Problem open = problem_of(start, goal, {box(-40, 39, 40, 40)}, area);
+  const Problem walled = problem_of(start, goal, {box(20, -40, 21, 40)}, area);
+  const SiteTable table = table_to(open, length_options());
+  const auto finds = [&](const Problem& problem) {
+    sites::Ways ways(table.data(), table.data().layers[0], problem.task(), {});
+    return ways.find(problem.task().start).has_value();
+  };
+  EXPECT_TRUE(finds(open));
+  EXPECT_FALSE(finds(walled));
+}
+
 // ---- many starts ----
 
 TEST(SiteMatrix, HoldsTheCostsOfAllPairs) {
@@ -254,6 +270,49 @@ TEST(SiteMatrix, LowerBoundsHoldForPlans) {
     const PlanResult result = plan(problem, options);
     if (!result.path) return;
     EXPECT_LE(costs[0].lower_bound, result.cost);
+  });
+}
+
+TEST(SiteMatrix, DoesNotDependOnOtherStarts) {
+  const Problem problem = problem_of({20, 0, 0}, {0, 0, 0}, {box(9, 9, 12, 12)}, area);
+  const SiteTable table = table_to(problem, drivers_options());
+  Rng rng(7);
+  std::vector<Pose> starts;
+  for (int i = 0; i < cases(300); ++i) starts.push_back(uniform_pose({-30, 30, -30, 30}, rng));
+  const std::vector<SiteCost> all = site_matrix(table, problem, starts, drivers_options(), 2);
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    const auto alone = site_matrix(table, problem, {&starts[i], 1}, drivers_options());
+    EXPECT_EQ(all[i].cost, alone[0].cost);
+  }
+}
+
+TEST(SiteMatrix, KeepsTheMarginsOfEachStart) {
+  // Behind the second start stands what only a ramp allows so near.
+  PlanOptions options = drivers_options();
+  options.clearance = {.margin = 0.5, .margin_ramp = 6.0};
+  const double end = -20 - footprint(Vehicle{}).rear - 0.25;
+  const Problem problem = problem_of({-20, 0, 0}, {20, 0, 0}, {box(end - 1, -1, end, 1)}, area);
+  const SiteTable table = table_to(problem, options);
+  const std::vector<Pose> starts = {{-20, -15, 0}, {-20, 0, 0}};
+  const std::vector<SiteCost> costs = site_matrix(table, problem, starts, options);
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    const auto way = site_way(table, from(problem, starts[i], problem.goal()), options);
+    ASSERT_TRUE(way);
+    EXPECT_EQ(costs[i].cost, way->cost);
+  }
+}
+
+TEST(SiteMatrix, LowerBoundsHoldForWays) {
+  for_each_case(8, 10, [&](Rng& rng) {
+    const Problem problem = make_problem(yard(rng));
+    for (const PlanOptions& options : {drivers_options(), length_options()}) {
+      std::vector<Pose> starts;
+      for (int i = 0; i < 500; ++i) starts.push_back(uniform_pose({-30, 30, -30, 30}, rng));
+      for (const SiteCost& cost :
+           site_matrix(table_to(problem, options), problem, starts, options)) {
+        EXPECT_LE(cost.lower_bound, cost.cost + 1e-5);  // a path may end beside its goal
+      }
+    }
   });
 }
 
