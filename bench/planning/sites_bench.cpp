@@ -10,64 +10,27 @@
 // `TIME OF BEST` seconds with the table, and of all other plans. Processor time limits plans.
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <numbers>
 #include <vector>
 
 #include "support/figure.h"
 #include "support/plans.h"
+#include "support/truck_yard.h"
 #include "vandplan/planner.h"
-#include "vandplan/random.h"
 #include "vandplan/site_table.h"
 
 namespace vandplan {
 namespace {
 
-constexpr double side = 100.0;  // [m]
-constexpr int obstacles = 50;
-/// vehicles/two-axle-truck.yaml
-const Vehicle truck{.wheelbase = 6.1,
-                    .front_overhang = 1.2,
-                    .rear_overhang = 1.8,
-                    .width = 2.4,
-                    .min_turning_radius = 9.84,
-                    .limits = {.max_steering_rate = 0.71}};
-
 double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// The yard: crates of 1 to 5 m, and a goal at one side.
-Scenario yard() {
-  Rng rng(42);
-  Scenario scenario{.name = "yard",
-                    .vehicle = truck,
-                    .bounds = {0, side, 0, side},
-                    .start = {15, 15, 0},
-                    .goal = {50, 12, std::numbers::pi / 2}};
-  while (scenario.obstacles.size() < obstacles) {
-    const Point corner{uniform(0, side - 5, rng), uniform(0, side - 5, rng)};
-    if (std::hypot(corner.x - 50, corner.y - 15) < 14) continue;
-    const double width = uniform(1, 5, rng);
-    const double height = uniform(1, 5, rng);
-    scenario.obstacles.push_back({corner,
-                                  {corner.x + width, corner.y},
-                                  {corner.x + width, corner.y + height},
-                                  {corner.x, corner.y + height}});
-  }
-  return scenario;
-}
-
-std::vector<Problem> from_everywhere(const Problem& problem, int count) {
-  Rng rng(7);
+std::vector<Problem> from_everywhere(const Problem& problem, std::size_t count) {
   std::vector<Problem> problems;
-  while (problems.size() < static_cast<std::size_t>(count)) {
-    const Pose start{uniform(5, side - 5, rng), uniform(5, side - 5, rng),
-                     uniform(-std::numbers::pi, std::numbers::pi, rng)};
-    Problem other = with_poses(problem, start, problem.goal());
-    if (other.task().checker->is_free(other.task().start)) problems.push_back(std::move(other));
+  for (const Pose& start : truck_yard::free_poses(problem, count, 7)) {
+    problems.push_back(with_poses(problem, start, problem.goal()));
   }
   return problems;
 }
@@ -84,14 +47,14 @@ void print_row(const char* name, const std::vector<double>& excess, double time)
 }
 
 int run(int argc, char** argv) {
-  const int starts = argc > 1 ? std::atoi(argv[1]) : 100;
+  const std::size_t starts = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 100;
   const double best_time = argc > 2 ? std::atof(argv[2]) : 1.0;
   SiteTableOptions cells;
   if (argc > 4) {
     cells.headings = std::atoi(argv[3]);
     cells.cell = std::atof(argv[4]);
   }
-  const Problem problem = make_problem(yard());
+  const Problem problem = truck_yard::yard();
   const PlanOptions options = complete(default_planner(), {}, problem.vehicle());
   auto begin = std::chrono::steady_clock::now();
   const std::vector<Pose> goals = {problem.goal()};
