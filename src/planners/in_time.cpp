@@ -37,23 +37,12 @@ constexpr std::int64_t states_per_iteration = 200;  // states that count as one 
 constexpr std::int64_t first_states = 40'000;       // most states for one path at first
 constexpr double worth_a_way_around = 0.5;          // excess that starts searches around [m or s]
 constexpr std::size_t max_ghosts = 4;               // ghosts of one source
-constexpr std::size_t max_sources = 24;             // the first source and those with ghosts
+constexpr std::ptrdiff_t max_open_sources = 24;     // sources with ghosts that are not finished
 constexpr std::int64_t max_states_of_path = 1'000'000;  // most states for one path (memory)
-constexpr double weight_of_best = 4.0;                  // weight of the source of the best drive
-constexpr double long_wait = 1.3;  // a drive that costs so many times the fastest waits long
-constexpr double weight_of_dearer = 0.25;      // weight of a source whose fastest drive is dearer
+constexpr std::int64_t head_start = 64;        // work of others before ghosts for ever [iterations]
 constexpr std::int64_t before_refuges = 1500;  // iterations before refuges are tried
 constexpr double share_of_refuges = 0.5;       // share of later work without a drive
-constexpr double later_share_of_refuges = 0.125;     // share of later work with a drive
-constexpr std::int64_t max_detour_iterations = 600;  // most iterations of a detour
-
-/// A path with its times, and their costs.
-struct TimedWay {
-  std::vector<Segment> segments;
-  SpeedProfile speeds;
-  double path_cost = 0.0;  // cost of the path if nothing moves [m or s]
-  double cost = 0.0;       // cost with the time of the drive [m or s]
-};
+constexpr double later_share_of_refuges = 0.125;  // share of later work with a drive
 
 /// One run: the best way so far, the sources, and the budget.
 class InTimeRun {
@@ -63,7 +52,8 @@ class InTimeRun {
         options_(options),
         paths_(sources),
         pricing_(task, options.cost, time_price),
-        budget_(options.budget) {}
+        budget_(options.budget),
+        tried_(task.moving) {}
 
   [[nodiscard]] PlannerAnswer answer() {
     // 0. Cases without a search: an obstacle blocks start or goal, or the goal is the start.
@@ -75,7 +65,7 @@ class InTimeRun {
     Task alone = task_;
     alone.moving.clear();
     Source& first = sources_.emplace_back(Source{.ghosts = {}, .task = std::move(alone)});
-    if (is_goal_the_start()) {
+    if (planning::is_there(task_)) {
       consider(first, {}, false);
       PlannerAnswer answer = finished({});
       if (!best_) answer.reason = "the goal is the start, and something that moves comes there";
@@ -93,8 +83,6 @@ class InTimeRun {
   }
 
  private:
-  [[nodiscard]] bool is_goal_the_start() const { return planning::is_there(task_); }
-
   [[nodiscard]] std::unique_ptr<PathSearch> search_of(const Task& task,
                                                       const anytime::Given& given) const {
     PlanOptions options = options_;
@@ -132,7 +120,7 @@ class InTimeRun {
   /// Goes on with a detour, or with the next one when the detour is spent.
   void go_on_with_refuges() {
     if (detour_ && detour_ != best_source_) {
-      if (!is_spent(*detour_)) {
+      if (!detour_->is_detour_spent()) {
         go_on(*detour_);
         return;
       }
@@ -170,12 +158,6 @@ class InTimeRun {
     consider(*detour_, detour_->path, true);
   }
 
-  /// Whether a detour needs no more work: its path has got its times, or no path is found.
-  [[nodiscard]] static bool is_spent(const Source& detour) {
-    if (detour.is_finished() || detour.spent >= max_detour_iterations) return true;
-    return !detour.path.empty() && !detour.wants_times();
-  }
-
   [[nodiscard]] std::unique_ptr<PathSearch> make_search(const Source& source) const {
     if (!source.detour) return search_of(source.task, {.sources = paths_});
     const auto of_leg = [this](const Task& leg, const Path& known) {
@@ -189,7 +171,8 @@ class InTimeRun {
     Source* next = nullptr;
     double least = endless;
     for (Source& source : sources_) {
-      const double work = static_cast<double>(source.spent) / weight_of(source);
+      const double work =
+          static_cast<double>(source.spent) / source.weight(best_cost(), &source == best_source_);
       const bool is_other = source.detour && &source != best_source_;
       if (is_other || source.is_finished() || work >= least) continue;
       least = work;
@@ -198,12 +181,8 @@ class InTimeRun {
     return next;
   }
 
-  [[nodiscard]] double weight_of(const Source& source) const {
-    if (!best_) return 1.0;
-    const bool waits_long = best_->cost > long_wait * source.fastest_cost;
-    if (&source == best_source_) return waits_long ? 1.0 : weight_of_best;
-    return source.fastest_cost >= best_->cost ? weight_of_dearer : 1.0;
-  }
+  /// Cost of the best drive; infinity: there is none.
+  [[nodiscard]] double best_cost() const { return best_ ? best_->cost : endless; }
 
   /// Whether no better drive can be found: the search without moving obstacles has ended, and has
   /// no path or its path is driven as if nothing moved.
@@ -236,6 +215,7 @@ class InTimeRun {
     budget_.spend(source.search->iterations() - done);
     offer(source);
     source.spent += std::max<std::int64_t>(budget_.iterations() - before, 1);
+    follow(source);
   }
 
   /// Looks for times along the path of a source, if that is a new path that may win.
@@ -316,20 +296,41 @@ class InTimeRun {
     if (!met_) met_ = meeting;
     if (source.detour || source.ghosts.size() >= max_ghosts) return;
     for (const Ghost& ghost : ghosts_at(meeting)) {
-      if (sources_around_ + 1 >= max_sources) return;
-      std::vector<Ghost> ghosts = source.ghosts;
-      if (std::ranges::find(ghosts, ghost) != ghosts.end()) continue;
-      ghosts.push_back(ghost);
-      const auto is_same = [&](const std::vector<Ghost>& known) {
-        return std::is_permutation(known.begin(), known.end(), ghosts.begin(), ghosts.end());
-      };
-      if (std::ranges::any_of(tried_, is_same)) continue;
-      tried_.push_back(ghosts);
-      std::optional<Task> around = task_around(task_, ghosts, options_.clearance);
-      if (!around) continue;
-      sources_.push_back({.ghosts = std::move(ghosts), .task = *std::move(around)});
-      ++sources_around_;
+      if (!has_room()) return;
+      add_source(tried_.with(source.ghosts, ghost));
     }
+  }
+
+  /// Whether one more source with ghosts may be opened.
+  [[nodiscard]] bool has_room() const {
+    const auto is_open = [](const Source& source) { return source.is_open(); };
+    return std::count_if(sources_.begin(), sources_.end(), is_open) < max_open_sources;
+  }
+
+  /// Adds a source around ghosts, which begin later if start or goal would not be free.
+  void add_source(std::optional<Ghosts> ghosts) {
+    for (; ghosts; ghosts = tried_.begun_later(*std::move(ghosts))) {
+      auto around = task_around(task_, *ghosts, options_.clearance);
+      if (!around) continue;
+      const std::int64_t spent = ghosts->back().end == endless ? head_start : 0;
+      sources_.push_back(
+          {.ghosts = *std::move(ghosts), .task = *std::move(around), .spent = spent});
+      return;
+    }
+  }
+
+  /// Tries ghosts that begin later, so that more room is left, if those of a source leave no way or
+  /// only dear ones.
+  void follow(Source& source) {
+    if (source.ghosts.empty() || source.is_followed || !has_room()) return;
+    if (!source.is_blocked() && !source.is_in_vain(best_cost())) return;
+    source.is_followed = true;
+    if (source.is_blocked()) {
+      tried_.add_blocked(source.ghosts);
+      source.search.reset();
+      source.task = {};
+    }
+    add_source(tried_.begun_later(source.ghosts));
   }
 
   /// Most states of a search for the times along the path of a source.
@@ -371,8 +372,7 @@ class InTimeRun {
   planning::Pricing pricing_;
   Budget budget_;
   std::deque<Source> sources_;                 // the first source has no ghosts
-  std::vector<std::vector<Ghost>> tried_;      // ghosts of all sources, also of refused ones
-  std::size_t sources_around_ = 0;             // number of sources with ghosts
+  TriedGhosts tried_;                          // ghosts of all sources, also of refused ones
   std::vector<std::vector<Segment>> offered_;  // paths of all sources but detours
   std::optional<Refuges> refuges_;
   std::optional<Meeting> met_;    // first meeting that is worth a way around
