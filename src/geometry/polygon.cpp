@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <set>
 #include <utility>
@@ -13,6 +14,7 @@
 
 #include "base/decimal.h"
 #include "base/text.h"
+#include "geometry/convex.h"
 #include "geometry/orientation.h"
 
 namespace vandplan::geometry {
@@ -169,6 +171,16 @@ std::string flaw_of(const Polygon& polygon, const Point& origin) {
   return "crosses or touches itself where the sides that begin at " +
          corner_text((in_order ? a : b).from, origin) + " and " +
          corner_text((in_order ? b : a).from, origin) + " meet, expected a simple polygon";
+}
+
+double distance_from_border(const Polygon& polygon, const Point& point) {
+  double least = std::numeric_limits<double>::infinity();
+  Point a = polygon.back();
+  for (const Point& b : polygon) {
+    least = std::min(least, squared_distance_to_side(point, a, b));
+    a = b;
+  }
+  return contains(polygon, point) ? -std::sqrt(least) : std::sqrt(least);
 }
 
 }  // namespace vandplan::geometry

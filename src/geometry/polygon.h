@@ -19,6 +19,9 @@ namespace vandplan::geometry {
 /// between them. `origin` is that of the polygon's frame, in the frame of the reader.
 [[nodiscard]] std::string flaw_of(const Polygon& polygon, const Point& origin);
 
+/// Distance of a point from the border of a simple polygon [m]; negative inside.
+[[nodiscard]] double distance_from_border(const Polygon& polygon, const Point& point);
+
 /// Whether two closed line segments have a point in common, decided exactly.
 [[nodiscard]] bool meet(const Point& a, const Point& b, const Point& c, const Point& d);
 

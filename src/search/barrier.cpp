@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "geometry/boxes.h"
-#include "geometry/convex.h"
+#include "geometry/polygon.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan::search {
@@ -22,17 +21,6 @@ constexpr double slack_of_ends = 2e-6;        // of a path's ends; larger than t
 constexpr double slack_of_directions = 1e-5;  // larger than the judge's [rad]
 constexpr int cells_of_step = 64;
 constexpr std::uint8_t both_floods = 3, known_open = 4, known_closed = 8;
-
-/// Distance of a place from the border of a polygon [m]; negative inside.
-double signed_distance(const Polygon& area, const Point& p) {
-  double least = std::numeric_limits<double>::infinity();
-  Point a = area.back();
-  for (const Point& b : area) {
-    least = std::min(least, geometry::squared_distance_to_side(p, a, b));
-    a = b;
-  }
-  return contains(area, p) ? -std::sqrt(least) : std::sqrt(least);
-}
 
 /// Whether none of the directions has the sense: all point the other way.
 bool bars_sense(const HeadingRange& allowed, int sense) {
@@ -132,7 +120,7 @@ bool Barrier::find_open(std::int64_t cell) {
   const Point middle = middle_of(cell);
   const double most = -side_ * std::sqrt(0.5) - slack_of_edges;
   return std::none_of(rules_.begin(), rules_.end(), [&](const Rule& rule) {
-    return rule.is_closed && signed_distance(rule.area, middle) <= rule.near + most;
+    return rule.is_closed && geometry::distance_from_border(rule.area, middle) <= rule.near + most;
   });
 }
 
@@ -152,7 +140,8 @@ bool Barrier::is_barred(std::int64_t cell, int side, int sense) const {
   const Point place{middle.x + to.x * side_ / 2, middle.y + to.y * side_ / 2};
   return std::any_of(rules_.begin(), rules_.end(), [&](const Rule& rule) {
     return rule.bars[static_cast<std::size_t>(sense)] &&
-           signed_distance(rule.area, place) <= rule.near - side_ / 2 - slack_of_edges;
+           geometry::distance_from_border(rule.area, place) <=
+               rule.near - side_ / 2 - slack_of_edges;
   });
 }
 

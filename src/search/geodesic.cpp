@@ -42,12 +42,14 @@ Bounds box_of_paths(const Task& task, const Disc& disc, double longest) {
   return geometry::shared(geometry::widened(bounds, beside), ways);
 }
 
-Geodesic::Geodesic(const Task& task, double longest) : task_(task), longest_(longest) {
+Geodesic::Geodesic(const Task& task, double longest, GearSign only)
+    : task_(task), longest_(longest) {
   const Disc disc = bound_disc(task.vehicle);
   disc_ = disc.radius + task.least_margin;
   stretch_ = stretch_of(disc, task.vehicle.min_turning_radius);
   from_ = centre_of(disc, task.start);
   to_ = centre_of(disc, task.goal);
+  closed_ = closed_areas(task, disc, only);
   box_ = box_of_paths(task, disc, longest);
   bound_ = distance(from_, to_);
   side_ = 2 * coarsest * disc_;
@@ -60,7 +62,7 @@ bool Geodesic::next_lattice() {
   if (side_ < finest * disc_ || side_ * max_cells < extent) return false;
   const double near = disc_ - side_ * std::sqrt(0.5) - rounding_near;
   if (!(near > 0)) return false;
-  OpenRows lattice(task_, box_, side_, near);
+  OpenRows lattice(task_, box_, side_, near, closed_);
   const Point start = lattice.in_cells(from_);
   const Point goal = lattice.in_cells(to_);
   ways_ = TautWays(std::move(lattice), start, goal);

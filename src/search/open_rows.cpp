@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/trigonometry.h"
 #include "geometry/boxes.h"
@@ -16,6 +17,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 // Slack of distances from the map [m]; relative slack of a stretch.
 constexpr double rounding = 1e-9;
+constexpr double slack_of_areas = 2e-3;  // Slack of places in zones; larger than the judge's [m].
 constexpr std::size_t max_bands = 1024;
 constexpr double max_bands_of_side = 4;  // Mean number of bands that a side reaches into, at most.
 constexpr double max_stretch = 1.02;     // Stretch that is accepted for a wider disc.
@@ -104,13 +106,16 @@ Point centre_of(const Disc& disc, const Pose& pose) noexcept {
   return {pose.x + disc.ahead * cos, pose.y + disc.ahead * sin};
 }
 
-OpenRows::OpenRows(const Task& task, const Bounds& box, double side, double near)
+OpenRows::OpenRows(const Task& task, const Bounds& box, double side, double near,
+                   std::vector<ClosedArea> closed)
     : task_(&task),
       box_(box),
       side_(side),
       near_(near),
       columns_(static_cast<std::int32_t>((box.x_max - box.x_min) / side) + 1),
-      rows_(static_cast<std::int32_t>((box.y_max - box.y_min) / side) + 1) {
+      rows_(static_cast<std::int32_t>((box.y_max - box.y_min) / side) + 1),
+      areas_(std::move(closed)) {
+  for (ClosedArea& area : areas_) area.near -= side * std::sqrt(0.5) + slack_of_areas;
   const Surroundings& ground = task.world->local();
   for (const Polygon& polygon : ground.obstacles) {
     Point a = polygon.back();
@@ -215,6 +220,37 @@ void OpenRows::close_near_map(double y) {
   }
 }
 
+/// Closes all cells of the row whose middle is too near to an area, or too deep in it.
+void OpenRows::close_area(const ClosedArea& closed, double y) {
+  const auto& [area, near] = closed;
+  std::vector<double> crossings;                   // Where the row enters and leaves the area.
+  std::vector<std::pair<double, double>> at_edge;  // Stretches of the row near the edge.
+  Point a = area.back();
+  for (const Point& b : area) {
+    if ((a.y > y) != (b.y > y)) crossings.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+    double low = infinity, high = -infinity;
+    add_disc(a, y, std::abs(near), low, high);
+    add_disc(b, y, std::abs(near), low, high);
+    add_box(a, b, y, std::abs(near), low, high);
+    if (low <= high) at_edge.emplace_back(low, high);
+    a = b;
+    ++looks_;
+  }
+  std::ranges::sort(crossings);
+  std::ranges::sort(at_edge);
+  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+    double from = crossings[i];
+    for (const auto& [low, high] : at_edge) {
+      if (near >= 0.0 || low > crossings[i + 1]) break;
+      if (low > from) close(from, low);
+      from = std::max(from, high);
+    }
+    if (from < crossings[i + 1]) close(from, crossings[i + 1]);
+  }
+  if (near < 0.0) return;
+  for (const auto& [low, high] : at_edge) close(low, high);
+}
+
 const OpenRows::Row& OpenRows::row(std::int32_t y) {
   const auto [found, is_new] = known_.try_emplace(y);
   Row& runs = found->second;
@@ -223,6 +259,7 @@ const OpenRows::Row& OpenRows::row(std::int32_t y) {
   const double height = box_.y_min + (y + 0.5) * side_;
   close_near_sides(height);
   close_near_map(height);
+  for (const ClosedArea& area : areas_) close_area(area, height);
   std::sort(closed_.begin(), closed_.end(),
             [](const Run& a, const Run& b) { return a.begin < b.begin; });
   std::int32_t begin = 0;

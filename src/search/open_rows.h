@@ -33,6 +33,14 @@ struct Disc {
 /// Centre of a disc at a pose of the vehicle.
 [[nodiscard]] Point centre_of(const Disc& disc, const Pose& pose) noexcept;
 
+/// An area that a point, such as the centre of a disc, cannot be near: its distance from the area
+/// is at least `near`. A negative number counts from the edge inwards, so the point may be in the
+/// area, but not as deep.
+struct ClosedArea {
+  Polygon area;
+  double near;  // [m]
+};
+
 /// Lattice over a box. Row 0 is the lowest, column 0 the leftmost.
 class OpenRows {
  public:
@@ -45,8 +53,10 @@ class OpenRows {
   /// Lattice without cells.
   OpenRows() = default;
   /// The task must outlive the lattice. `side`: side of a cell [m]; `near`: distance from a cell's
-  /// middle to obstacles that close it [m]. The box must be shorter than 2^30 cells.
-  OpenRows(const Task& task, const Bounds& box, double side, double near);
+  /// middle to obstacles that close it [m]. The box must be shorter than 2^30 cells. Cells whose
+  /// points are all too near to an area of `closed` are closed, too.
+  OpenRows(const Task& task, const Bounds& box, double side, double near,
+           std::vector<ClosedArea> closed = {});
 
   [[nodiscard]] std::int32_t columns() const noexcept { return columns_; }
   [[nodiscard]] std::int32_t rows() const noexcept { return rows_; }
@@ -75,6 +85,7 @@ class OpenRows {
   [[nodiscard]] std::size_t band_of(double y) const noexcept;
   void close_near_sides(double y);
   void close_near_map(double y);
+  void close_area(const ClosedArea& closed, double y);
 
   const Task* task_ = nullptr;
   Bounds box_ = {};
@@ -82,6 +93,7 @@ class OpenRows {
   double near_ = 0.0;
   std::int32_t columns_ = 0;
   std::int32_t rows_ = 0;
+  std::vector<ClosedArea> areas_;  // `near` counts from middles of cells
   std::vector<Side> sides_;
   // Horizontal bands of the box from below, with the sides that reach into each in their order. A
   // row then looks at few sides.

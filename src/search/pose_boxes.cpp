@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/trigonometry.h"
+#include "search/closed_areas.h"
 #include "search/geodesic.h"
 #include "steering/dubins_bound.h"
 #include "vandplan/steering.h"
@@ -79,7 +80,7 @@ PoseBoxes::PoseBoxes(const Task& task, double side, double longest, GearSign onl
                                              {.wanted = task.least_margin});
   }
 
-  const OpenRows lattice(task, box_, part, near);
+  const OpenRows lattice(task, box_, part, near, closed_areas(task, disc_, only));
   columns_of_row_ = (lattice.columns() + parts - 1) / parts;
   rows_ = (lattice.rows() + parts - 1) / parts;
   const Point start = lattice.in_cells(centre_of(disc_, task.start));

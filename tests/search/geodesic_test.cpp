@@ -71,6 +71,54 @@ TEST(Geodesic, DoesNotSlipBetweenTwoSidesOfOneWall) {
   EXPECT_GT(bound_of(problem_of({0, 0, 0}, {30, 0, 0}, wall)), 60.0);
 }
 
+double bound_in(const Zone& zone, search::GearSign only = 0, const Vehicle& vehicle = {}) {
+  const Problem problem =
+      problem_in({.bounds = wide_bounds, .zones = {zone}}, {0, 0, 0}, {30, 0, 0}, vehicle);
+  search::Geodesic geodesic(problem.task(), infinity, only);
+  while (geodesic.step()) {
+  }
+  return geodesic.bound();
+}
+
+TEST(Geodesic, GoesAroundClosedZones) {
+  const Zone lawn{.area = box(14, -8, 16, 8), .closed = true};
+  // The axle goes along the edge, the disc keeps away.
+  const double way = 2 * std::hypot(14, 8) + 2;
+  EXPECT_LE(bound_in(lawn), way);
+  EXPECT_GT(bound_in(lawn), 0.99 * way);
+  Zone of_body = lawn;
+  of_body.body = true;
+  const double around_wall = bound_of(problem_of({0, 0, 0}, {30, 0, 0}, {lawn.area}));
+  EXPECT_LE(bound_in(of_body), around_wall);
+  EXPECT_GT(bound_in(of_body), 0.995 * around_wall);
+  // The centre of the disc may be 1.275 m deep in the zone, so it passes between two such edges.
+  Vehicle truck;
+  truck.rear_overhang = 0.0;
+  Zone strip = lawn;
+  strip.area = box(14, -8, 16.5, 8);
+  EXPECT_NEAR(bound_in(strip, 0, truck), 30 / std::hypot(1, disc / 7), 1e-6);
+  strip.area = box(10, -8, 20, 8);
+  EXPECT_GT(bound_in(strip, 0, truck), 32);
+}
+
+TEST(Geodesic, GoesAroundZonesOfTheOtherGear) {
+  Zone ramp{.area = box(14, -8, 16, 8), .gears = AllowedGears::forward};
+  EXPECT_DOUBLE_EQ(bound_in(ramp), 30.0);
+  EXPECT_DOUBLE_EQ(bound_in(ramp, 1), 30.0);
+  EXPECT_GT(bound_in(ramp, -1), 33);
+  ramp.area = box(-1, -1, 1, 1);  // where it starts it may stand
+  EXPECT_DOUBLE_EQ(bound_in(ramp, -1), 30.0);
+}
+
+// The zone is an open square with an arm that reaches around: its inside is closed, its bay is not.
+TEST(Geodesic, GoesIntoTheBayOfAZone) {
+  const Zone bay{.area = {{-8, -8}, {8, -8}, {8, 8}, {-8, 8}, {-8, 4}, {4, 4}, {4, -4}, {-8, -4}},
+                 .closed = true};
+  const double way = std::hypot(8, 4) + 4 + 16 + std::hypot(22, 8);
+  EXPECT_LE(bound_in(bay), way);
+  EXPECT_GT(bound_in(bay), 0.98 * way);
+}
+
 // Two tangents and an arc.
 TEST(Geodesic, GoesAroundAPoint) {
   const double slope = std::asin(disc / 15);

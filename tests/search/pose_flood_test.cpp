@@ -97,6 +97,29 @@ Surroundings just_beside(const Path& path, const Vehicle& vehicle, const Margin&
   return around;
 }
 
+/// Zones that the path keeps out of, if just so: closed ones, or ones of the other gear than
+/// `only`.
+void add_zones_beside(const Path& path, const Vehicle& vehicle, search::GearSign only,
+                      Surroundings& around, Rng& rng) {
+  const std::vector<PathPoint> points = sampled(path, 0.1);
+  for (int i = 0; i < 40; ++i) {
+    const Pose& near = points[rng() % points.size()].pose;
+    const double x = near.x + uniform(-5, 5, rng), y = near.y + uniform(-5, 5, rng);
+    const auto corner = [&](double from_x, double from_y) {
+      return Point{x + from_x * uniform(0.2, 4, rng), y + from_y * uniform(0.2, 4, rng)};
+    };
+    Zone zone{.area = {corner(-1, -1), corner(1, -1), corner(1, 1)}, .body = chance(0.4, rng)};
+    if (chance(0.3, rng)) zone.area = box(x, y, x + uniform(0.05, 5, rng), y + 5);
+    if (chance(0.3, rng)) zone.area = {{x, y}, corner(-1, -1), corner(1, -1), corner(1, 1)};
+    zone.closed = only == 0 || chance(0.5, rng);
+    if (!zone.closed) zone.gears = only > 0 ? AllowedGears::reverse : AllowedGears::forward;
+    Surroundings more = around;
+    more.zones.push_back(zone);
+    const CollisionChecker checker(vehicle, more, {});
+    if (checker.is_free(Local(path.start), path.segments)) around = std::move(more);
+  }
+}
+
 /// Boxes that are ready to be asked; none where they prove nothing.
 std::unique_ptr<search::PoseBoxes> boxes_of(const Task& task, double side, double longest) {
   auto boxes = std::make_unique<search::PoseBoxes>(task, side, longest);
@@ -335,6 +358,37 @@ TEST(PoseFlood, IsBelowPathsInOneGear) {
     ASSERT_LE(flood_bound(problem.task(), 1.1 * least, 1000, gear), least * (1 + 1e-9))
         << as_code(path) << " among " << as_code(around.obstacles);
   });
+}
+
+// Zones that a path keeps out of are walls for the bounds of both disc and vehicle, and the path is
+// not below them.
+TEST(PoseFlood, IsBelowPathsThatKeepToZones) {
+  int raised = 0;
+  for_each_case(6, 300, [&](Rng& rng) {
+    const Vehicle vehicle = small_vehicle(rng);
+    const search::GearSign only = chance(0.4, rng) ? 0 : chance(0.5, rng) ? 1 : -1;
+    const double radius = vehicle.min_turning_radius;
+    const Path path{{uniform(-9, 9, rng), uniform(-9, 9, rng), uniform(-3.2, 3.2, rng)},
+                    only == 0 ? shunting(radius, rng) : driven_on(radius, only, rng)};
+    Surroundings around = just_beside(path, vehicle, {}, rng);
+    if (chance(0.7, rng)) around.obstacles.clear();
+    add_zones_beside(path, vehicle, only, around, rng);
+    const Problem problem = problem_in(around, path.start, end_pose(path), vehicle);
+    const double least = length(path);
+    search::Geodesic geodesic(problem.task(), 1.1 * least, only);
+    while (geodesic.step()) {
+    }
+    ASSERT_LE(geodesic.bound(), least * (1 + 1e-9)) << as_code(path);
+    ASSERT_LE(flood_bound(problem.task(), 1.1 * least, 500, only), least * (1 + 1e-9))
+        << as_code(path);
+    around.zones.clear();
+    const Problem without = problem_in(around, path.start, end_pose(path), vehicle);
+    search::Geodesic blind(without.task(), 1.1 * least, only);
+    while (blind.step()) {
+    }
+    raised += geodesic.bound() > blind.bound() + 1e-3 ? 1 : 0;
+  });
+  EXPECT_GT(raised, cases(300) / 20);
 }
 
 // Parking beside the start: in both gears that is short, in one gear it takes a loop.

@@ -13,7 +13,7 @@ LengthProver::LengthProver(const Task& task, search::GearSign only)
 Found LengthProver::work(std::int64_t iterations, const Told& told, const search::Budget& budget) {
   if (told.best != nullptr) best_cost_ = std::min(best_cost_, told.best->cost);
   if (!geodesic_ && iterations > 0) {
-    geodesic_.emplace(task_, best_cost_);
+    geodesic_.emplace(task_, best_cost_, only_);
     flood_.emplace(task_, only_);
   }
   const auto step = [this]() -> std::optional<double> {
