@@ -147,59 +147,65 @@ std::vector<GoalPoint> beside(const Task& task, const GoalPoint& point, double s
 
 namespace {
 
-/// Part of a region: all goals within `half` of its middle.
-struct RegionPart {
-  GoalPoint middle;
-  std::array<double, 4> half;  // half of the part's widths, as shares of the region's
-  double least;                // lower bound of the length of paths to the part [m]
-  bool operator<(const RegionPart& other) const { return least > other.least; }
+/// Part of a region with the length of paths to it.
+struct PartAhead {
+  RegionPart part;
+  double least = 0.0;  // lower bound of the length of paths to the part [m]
+  bool operator<(const PartAhead& other) const { return least > other.least; }
 };
 
-/// Largest distance of the tractor from its pose in the middle of a part [m], and largest turn
-/// [rad].
-struct Spread {
-  double place, turn;
-};
-
-Spread spread_of(const Task& task, const RegionPart& part) {
-  const GoalRegion& region = task.goal_set[part.middle.region];
+/// Largest distance of the vehicle from its pose in the middle of a part, in place and heading, if
+/// it may be off itself.
+steering::Closing spread_of(const Vehicle& vehicle, const GoalRegion& region,
+                            const RegionPart& part, const steering::Closing& off) {
   const std::array<double, 4> widths = widths_of(region);
   const auto half = [&](Axis axis) { return part.half[axis] * widths[axis]; };
-  // Both ends of a path may be off as far as the judge allows.
-  Spread spread{std::hypot(half(x), half(y)) + 2 * steering::judged.position,
-                half(heading) + 2 * steering::judged.heading};
+  steering::Closing spread{std::hypot(half(x), half(y)) + off.position,
+                           half(heading) + off.heading};
   if (!region.is_of_trailer) return spread;
-  spread.place += task.vehicle.trailer->wheelbase * spread.turn +
-                  std::abs(task.vehicle.hitch) * (spread.turn + half(hitch));
-  spread.turn += half(hitch);
+  spread.position += vehicle.trailer->wheelbase * spread.heading +
+                     std::abs(vehicle.hitch) * (spread.heading + half(hitch));
+  spread.heading += half(hitch);
   return spread;
+}
+
+Pose middle_of(const Vehicle& vehicle, const GoalRegion& region, const GoalPoint& middle) {
+  const Point place = place_in_box(region, middle);
+  const Pose axle{place.x, place.y,
+                  region.heading.from + middle.at[heading] * width(region.heading) +
+                      (middle.is_turned ? std::numbers::pi : 0.0)};
+  const double angle = between(region.hitch_angle.least, region.hitch_angle.most, middle.at[hitch]);
+  return problem::state_at(vehicle, region, axle, angle).pose;
 }
 
 /// Lower bound of the length of paths to a part. The Reeds-Shepp length is a distance. So it
 /// changes by at most the length of the move, which is made ahead, sideways and on the spot.
 double length_lower_bound(const Task& task, const RegionPart& part) {
   const double radius = task.vehicle.min_turning_radius;
-  const Spread spread = spread_of(task, part);
-  GoalPoint middle = part.middle;
-  const GoalRegion& region = task.goal_set[middle.region];
-  const Point place = place_in_box(region, middle);
-  const Pose axle{place.x, place.y,
-                  region.heading.from + middle.at[heading] * width(region.heading) +
-                      (middle.is_turned ? std::numbers::pi : 0.0)};
-  const double angle = between(region.hitch_angle.least, region.hitch_angle.most, middle.at[hitch]);
-  const Pose pose = problem::state_at(task.vehicle, region, axle, angle).pose;
-  const double sideways =
-      spread.place > 0.0 ? reeds_shepp_length({}, {0, spread.place, 0}, radius) : 0.0;
-  const double move = spread.place + sideways + radius * spread.turn;
-  const double apart = std::hypot(pose.x - task.start.x, pose.y - task.start.y) - spread.place;
+  const GoalRegion& region = task.goal_set[part.middle.region];
+  // Both ends of a path may be off as far as the judge allows.
+  const auto [place, turn] = spread_of(
+      task.vehicle, region, part, {2 * steering::judged.position, 2 * steering::judged.heading});
+  const Pose pose = middle_of(task.vehicle, region, part.middle);
+  const double sideways = place > 0.0 ? reeds_shepp_length({}, {0, place, 0}, radius) : 0.0;
+  const double move = place + sideways + radius * turn;
+  const double apart = std::hypot(pose.x - task.start.x, pose.y - task.start.y) - place;
   return std::max({reeds_shepp_length(task.start, pose, radius) - move, apart, 0.0});
 }
 
-/// Both halves of a part, cut along the interval with the longest way from end to end.
-std::array<RegionPart, 2> halves(const Task& task, const RegionPart& part) {
-  const GoalRegion& region = task.goal_set[part.middle.region];
+}  // namespace
+
+std::vector<RegionPart> whole(const GoalRegion& region, std::size_t index) {
+  std::vector<RegionPart> parts;
+  parts.reserve(2);
+  for (const bool is_turned : region.either_way ? std::vector{false, true} : std::vector{false}) {
+    parts.push_back({{index, {0.5, 0.5, 0.5, 0.5}, is_turned}, {0.5, 0.5, 0.5, 0.5}});
+  }
+  return parts;
+}
+
+std::array<RegionPart, 2> halves(const GoalRegion& region, double radius, const RegionPart& part) {
   const std::array<double, 4> widths = widths_of(region);
-  const double radius = task.vehicle.min_turning_radius;
   std::size_t axis = 0;
   double most = -1.0;
   for (std::size_t i = 0; i < widths.size(); ++i) {
@@ -214,30 +220,40 @@ std::array<RegionPart, 2> halves(const Task& task, const RegionPart& part) {
     RegionPart& half = parts[side];
     half.half[axis] /= 2;
     half.middle.at[axis] += (side == 0 ? -1 : 1) * half.half[axis];
-    half.least = std::max(part.least, length_lower_bound(task, half));
   }
   return parts;
 }
 
-}  // namespace
+PlacedPart placed(const Vehicle& vehicle, const GoalRegion& region, const RegionPart& part) {
+  const std::array<double, 4> widths = widths_of(region);
+  const double half_x = part.half[x] * widths[x], half_y = part.half[y] * widths[y];
+  const steering::Closing off = spread_of(vehicle, region, part, steering::judged);
+  const Pose pose = middle_of(vehicle, region, part.middle);
+  const double swing = off.position - std::hypot(half_x, half_y);
+  const double reach = std::max(swing, 0.0) + steering::judged.position;
+  return {{pose, off},
+          {pose.x - half_x - reach, pose.x + half_x + reach, pose.y - half_y - reach,
+           pose.y + half_y + reach}};
+}
 
 // Halves the part with the least bound, until that hardly raises the bound.
 double length_lower_bound_to(const Task& task, std::size_t region, std::size_t halvings) {
   constexpr std::size_t max_halvings = 2000;
   constexpr double fine = 1e-4;  // finest size of a part, relative to the bound
-  std::priority_queue<RegionPart> parts;
-  const bool either_way = task.goal_set[region].either_way;
-  for (const bool is_turned : either_way ? std::vector{false, true} : std::vector{false}) {
-    RegionPart all{{region, {0.5, 0.5, 0.5, 0.5}, is_turned}, {0.5, 0.5, 0.5, 0.5}, 0.0};
-    all.least = length_lower_bound(task, all);
-    parts.push(all);
+  const GoalRegion& of = task.goal_set[region];
+  std::priority_queue<PartAhead> parts;
+  for (const RegionPart& part : whole(of, region)) {
+    parts.push({part, length_lower_bound(task, part)});
   }
   for (std::size_t i = 0; i < std::min(halvings, max_halvings); ++i) {
-    const RegionPart part = parts.top();
-    const Spread spread = spread_of(task, part);
-    if (spread.place + spread.turn <= fine * part.least) break;
+    const auto [part, least] = parts.top();
+    const auto [place, turn] = spread_of(
+        task.vehicle, of, part, {2 * steering::judged.position, 2 * steering::judged.heading});
+    if (place + turn <= fine * least) break;
     parts.pop();
-    for (const RegionPart& half : halves(task, part)) parts.push(half);
+    for (const RegionPart& half : halves(of, task.vehicle.min_turning_radius, part)) {
+      parts.push({half, std::max(least, length_lower_bound(task, half))});
+    }
   }
   return parts.top().least;
 }

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "planners/anytime/open_ground.h"
 #include "vandplan/problem.h"
 
 namespace vandplan::planning {
@@ -60,6 +61,28 @@ void spread(const Task& task, std::size_t region, std::size_t most, Take take) {
     if (is_in_region(task, point) && take(point)) ++taken;
   }
 }
+
+/// Part of a region: all points whose numbers differ from those of the middle by at most `half`.
+struct RegionPart {
+  GoalPoint middle;
+  std::array<double, 4> half;
+};
+
+/// All of a region with this index, in one part for each way that its poses may be turned.
+[[nodiscard]] std::vector<RegionPart> whole(const GoalRegion& region, std::size_t index);
+
+/// Both halves of a part, cut along the interval with the longest way from end to end. `radius`:
+/// turning radius [m].
+[[nodiscard]] std::array<RegionPart, 2> halves(const GoalRegion& region, double radius,
+                                               const RegionPart& part);
+
+/// Where the vehicle is in a part, up to the judge's tolerance.
+struct PlacedPart {
+  anytime::End end;  ///< all poses are so far off this one
+  Bounds box;        ///< box around all places of the rear axle [m]
+};
+[[nodiscard]] PlacedPart placed(const Vehicle& vehicle, const GoalRegion& region,
+                                const RegionPart& part);
 
 /// Lower bound of the length of all paths from the start to a region of the set [m], on open
 /// ground. Halves parts of the region `halvings` times, at most 2000 times.

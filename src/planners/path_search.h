@@ -17,6 +17,13 @@
 
 namespace vandplan::planning {
 
+/// Lower bounds of the length of all paths of a task with exact ends [m]. They hold whatever the
+/// gears and curvatures at the ends. Infinite: there is no path.
+struct LeastLength {
+  double around = 0.0;   ///< ends that are off make a path shorter by no more than they are off
+  double turning = 0.0;  ///< ends that are off make it shorter by at most `OpenGround::leeway`
+};
+
 /// A planner that can be continued. What it has found after a number of iterations does not depend
 /// on how many it is granted later.
 class PathSearch {
@@ -32,6 +39,8 @@ class PathSearch {
   [[nodiscard]] virtual std::int64_t iterations() const = 0;
   /// Status, counters and the path, as if the search ended here.
   [[nodiscard]] virtual PlannerAnswer answer() = 0;
+  /// What is proven of the length of paths so far.
+  [[nodiscard]] virtual LeastLength least_length() const { return {}; }
 };
 
 /// Begins a search for paths to the one goal of a task. `known` is a path of the task's frame to a

@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "planners/last_stretch.h"
+#include "planners/leg_bounds.h"
 #include "planners/pricing.h"
 #include "planners/via_chain.h"
 #include "problem/goal_set.h"
 #include "search/wheels.h"
-#include "steering/words.h"
 #include "vandplan/search.h"
 
 namespace vandplan::planning {
@@ -33,13 +33,15 @@ constexpr double is_near_best = 1.05;        // a trial up to so many times the 
 constexpr double first_step_beside = 0.125;  // first step beside a node [share of its intervals]
 constexpr double last_step_beside = 5e-4;    // last step
 constexpr double worth_trying = 1.15;  // other poses are tried up to so many times the straight way
+constexpr std::int64_t work_of_bounds = 200'000;  // pairs of parts of vias that bounds look at
 constexpr double same_curvature = 2e-7;  // difference that is rounding, times the turning radius
 
 /// The way between two neighbours of a chain, and the search for it.
 struct ViaLeg {
-  explicit ViaLeg(Task of) : task(std::move(of)) {}
+  ViaLeg(Task of, std::size_t to) : task(std::move(of)), via(to) {}
 
   Task task;
+  std::size_t via;  // via that it leads to, or the number of vias
   std::unique_ptr<PathSearch> search = {};
   std::optional<std::vector<Segment>> path = {};
   std::int64_t spent = 0;
@@ -67,7 +69,8 @@ class ViaSearch final : public PathSearch {
         search_to_(search_to),
         pricing_(task, options.cost, time_price),
         budget_(options.budget),
-        nodes_(task, pricing_.prices()) {
+        nodes_(task, pricing_.prices()),
+        bounds_(task, pricing_, work_of_bounds) {
     options_.budget.max_iterations.reset();
     if (!nodes_.empty_via()) begin_chain();
   }
@@ -97,6 +100,7 @@ class ViaSearch final : public PathSearch {
 
   [[nodiscard]] PlannerAnswer answer() override {
     PlannerAnswer answer{.status = PlanStatus::solved, .iterations = iterations_};
+    if (task_.moving.empty()) answer.lower_bound = bounds_.least();
     if (best_) {
       answer.segments = best_;
       answer.anytime = trace_;
@@ -143,7 +147,7 @@ class ViaSearch final : public PathSearch {
       leg.beyond.stands_at_goal = to.stands;
     }
     problem::tell_ends_apart(leg);
-    return std::make_shared<ViaLeg>(std::move(leg));
+    return std::make_shared<ViaLeg>(std::move(leg), via);
   }
 
   /// Goes on with a leg; the number of iterations. `known`: path to a place nearby, or null.
@@ -172,6 +176,7 @@ class ViaSearch final : public PathSearch {
     leg.spent += work;
     iterations_ += work;
     leg.path = leg.search->path();
+    bounds_.raise(leg.via, leg.task.start, leg.task.goal, leg.search->least_length());
     if (leg.is_done && !leg.path) {
       const PlannerAnswer answer = leg.search->answer();
       leg.is_closed = answer.status == PlanStatus::no_path;
@@ -326,6 +331,7 @@ class ViaSearch final : public PathSearch {
   Pricing pricing_;
   search::Budget budget_;
   ViaNodes nodes_;
+  LegBounds bounds_;
   std::vector<ViaNode> chain_;                // empty if there is no chain left
   std::vector<LegPointer> legs_;              // legs of the chain, one more than nodes
   std::optional<std::vector<Segment>> best_;  // best path so far
@@ -341,43 +347,7 @@ class ViaSearch final : public PathSearch {
   bool has_gained_ = false;  // whether a trial of this round was better
 };
 
-/// Box around all places of the rear axle in some regions, up to the judge's tolerance.
-Bounds box_of(const Task& task, std::span<const GoalRegion> set) {
-  Bounds box{no_cost, -no_cost, no_cost, -no_cost};
-  for (const GoalRegion& region : set) {
-    const Bounds of = region.area.empty()
-                          ? Bounds{region.x.least, region.x.most, region.y.least, region.y.most}
-                          : bounding_box(region.area);
-    double reach = steering::judged.position;
-    if (region.is_of_trailer && task.vehicle.trailer) {
-      reach += task.vehicle.trailer->wheelbase + std::abs(task.vehicle.hitch);
-    }
-    box = {std::min(box.x_min, of.x_min - reach), std::max(box.x_max, of.x_max + reach),
-           std::min(box.y_min, of.y_min - reach), std::max(box.y_max, of.y_max + reach)};
-  }
-  return box;
-}
-
-double gap_between(const Bounds& a, const Bounds& b) {
-  const double dx = std::max({a.x_min - b.x_max, b.x_min - a.x_max, 0.0});
-  const double dy = std::max({a.y_min - b.y_max, b.y_min - a.y_max, 0.0});
-  return std::hypot(dx, dy);
-}
-
 }  // namespace
-
-double length_lower_bound_via(const Task& task) {
-  const auto around = [](const Pose& pose) {
-    constexpr double off = steering::judged.position;
-    return Bounds{pose.x - off, pose.x + off, pose.y - off, pose.y + off};
-  };
-  std::vector<Bounds> boxes = {around(task.start)};
-  for (const Via& via : task.via) boxes.push_back(box_of(task, via.any_of));
-  boxes.push_back(task.goal_set.empty() ? around(task.goal) : box_of(task, task.goal_set));
-  double sum = 0.0;
-  for (std::size_t i = 1; i < boxes.size(); ++i) sum += gap_between(boxes[i - 1], boxes[i]);
-  return sum;
-}
 
 std::unique_ptr<PathSearch> search_via(const Task& task, const PlanOptions& options,
                                        double time_price, const Path* known,

@@ -21,8 +21,4 @@ namespace vandplan::planning {
                                                      double time_price, const Path* known,
                                                      const SearchTo& search_to);
 
-/// Lower bound of the length of paths that pass the vias of a task [m], on open ground: the sum of
-/// the straight ways between them.
-[[nodiscard]] double length_lower_bound_via(const Task& task);
-
 }  // namespace vandplan::planning

@@ -7,13 +7,14 @@
 
 #include "planners/anytime/cost_bound.h"
 #include "planners/goal_poses.h"
+#include "planners/leg_bounds.h"
 #include "planners/rig/towed.h"
-#include "planners/search_via.h"
 
 namespace vandplan::planning {
 namespace {
 
-constexpr std::size_t halvings_of_set = 20'000;  // halvings of parts of all regions
+constexpr std::size_t halvings_of_set = 20'000;   // halvings of parts of all regions
+constexpr std::int64_t work_past_vias = 200'000;  // pairs of parts of vias that are looked at
 
 }  // namespace
 
@@ -24,7 +25,8 @@ double SetBounds::to(const Task& to) const {
   const Pricing pricing(to, cost_, time_price_);
   const double straight_there = to.vehicle.trailer ? rig::cost_lower_bound(to, pricing)
                                                    : anytime::CostBound(to, pricing).least({});
-  return std::max(straight_there, past_vias(to));
+  return to.via.empty() ? straight_there
+                        : std::max(straight_there, LegBounds(to, pricing, 0).least());
 }
 
 double SetBounds::to_regions() const {
@@ -35,7 +37,8 @@ double SetBounds::to_regions() const {
         length_lower_bound_to(task_, region, halvings_of_set / task_.goal_set.size());
     least = std::min(least, of_length(length));
   }
-  return std::max(least, past_vias(task_));
+  if (task_.via.empty() || least == std::numeric_limits<double>::infinity()) return least;
+  return std::max(least, LegBounds(task_, pricing_, work_past_vias).least());
 }
 
 /// Bound of paths that are at least `length` metres long.
@@ -43,10 +46,6 @@ double SetBounds::of_length(double length) const {
   const anytime::OpenGround ground{length, length, length, 0.0};
   return pricing_.counts_time() ? pricing_.cost_lower_bound(length, length)
                                 : anytime::cost_lower_bound(ground, pricing_.rule(), 0.0);
-}
-
-double SetBounds::past_vias(const Task& to) const {
-  return to.via.empty() ? 0.0 : of_length(length_lower_bound_via(to));
 }
 
 }  // namespace vandplan::planning

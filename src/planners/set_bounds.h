@@ -22,7 +22,6 @@ class SetBounds {
 
  private:
   [[nodiscard]] double of_length(double length) const;
-  [[nodiscard]] double past_vias(const Task& to) const;
 
   const Task& task_;
   CostOptions cost_;

@@ -24,6 +24,7 @@ class RunSearch final : public planning::PathSearch {
   [[nodiscard]] std::optional<std::vector<Segment>> path() override { return run_.path(); }
   [[nodiscard]] std::int64_t iterations() const override { return run_.iterations(); }
   [[nodiscard]] PlannerAnswer answer() override { return run_.answer(); }
+  [[nodiscard]] planning::LeastLength least_length() const override { return run_.least_length(); }
 
  private:
   Run run_;

@@ -19,8 +19,8 @@ using steering::Closing;
 /// turning radius, and ends farther away by the same share.
 constexpr double curvature_slack = 1e-9;
 
-double distance(const Task& task) {
-  return std::hypot(task.goal.x - task.start.x, task.goal.y - task.start.y);
+double distance(const Pose& from, const Pose& to) {
+  return std::hypot(to.x - from.x, to.y - from.y);
 }
 
 // Upper bound of the length between two poses that are `off` from each other: driven ahead, beside
@@ -29,28 +29,36 @@ double longest_between(const Closing& off, double radius) {
   return off.position + reeds_shepp_length({}, {0, off.position, 0}, radius) + radius * off.heading;
 }
 
-// How far the goal may be off as seen from the start, if the start is off itself.
-Closing seen_from_start(const Task& task, const Closing& ends) {
-  const double apart = distance(task) + 2 * ends.position;
-  return {2 * ends.position + (ends.heading + curvature_slack) * apart, 2 * ends.heading};
+// How far the last end may be off as seen from the first, if that is off itself.
+Closing seen_from_first(const End& first, const End& last) {
+  const double both = first.off.position + last.off.position;
+  const double apart = distance(first.pose, last.pose) + both;
+  return {both + (first.off.heading + curvature_slack) * apart,
+          first.off.heading + last.off.heading};
 }
 
 }  // namespace
 
 // The Reeds-Shepp length is a distance. So moving an end changes it by at most the length of the
 // move.
-OpenGround open_ground(const Task& task, const search::CostRule& rule, const Closing& ends) {
-  const double radius = task.vehicle.min_turning_radius;
-  const double shortest = reeds_shepp_length(task.start, task.goal, radius);
-  if (rule.is_length()) return {shortest, shortest, shortest, 0.0};
+OpenGround open_ground(const End& first, const End& last, double radius) {
+  const double shortest = reeds_shepp_length(first.pose, last.pose, radius);
   const auto turned = [](const Pose& p) { return Pose{p.x, p.y, p.heading + std::numbers::pi}; };
-  const Closing scaled{ends.position + curvature_slack * distance(task), ends.heading};
-  const double leeway = longest_between(ends, radius) + longest_between(scaled, radius);
-  const Closing off = seen_from_start(task, ends);
-  const double forward = steering::dubins_bound(task.start, task.goal, radius, off);
-  const double reverse = steering::dubins_bound(turned(task.start), turned(task.goal), radius, off);
+  const Closing scaled{last.off.position + curvature_slack * distance(first.pose, last.pose),
+                       last.off.heading};
+  const double leeway = longest_between(first.off, radius) + longest_between(scaled, radius);
+  const Closing off = seen_from_first(first, last);
+  const double forward = steering::dubins_bound(first.pose, last.pose, radius, off);
+  const double reverse = steering::dubins_bound(turned(first.pose), turned(last.pose), radius, off);
   const double slack = 1 + curvature_slack;
   return {forward / slack, reverse / slack, std::max(shortest - leeway, 0.0) / slack, leeway};
+}
+
+OpenGround open_ground(const Task& task, const search::CostRule& rule, const Closing& ends) {
+  const double radius = task.vehicle.min_turning_radius;
+  if (!rule.is_length()) return open_ground({task.start, ends}, {task.goal, ends}, radius);
+  const double shortest = reeds_shepp_length(task.start, task.goal, radius);
+  return {shortest, shortest, shortest, 0.0};
 }
 
 double length_lower_bound(const OpenGround& ground, const search::CostRule& rule) {

@@ -3,6 +3,7 @@
 #include "planners/anytime/run.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -283,6 +284,13 @@ PlannerAnswer Run::answer() {
   }
   answer.status = end_.value_or(PlanStatus::iteration_limit);  // the run has only paused
   return answer;
+}
+
+planning::LeastLength Run::least_length() const {
+  const Proven all = proven();
+  if (all.walled_in.empty()) return {all.shortest, all.shortest_turn};
+  constexpr double endless = std::numeric_limits<double>::infinity();
+  return {endless, endless};
 }
 
 }  // namespace vandplan::anytime

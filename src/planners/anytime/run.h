@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "planners/anytime/portfolio.h"
+#include "planners/path_search.h"
 #include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
 #include "vandplan/search.h"
@@ -35,6 +36,8 @@ class Run {
   [[nodiscard]] std::optional<std::vector<Segment>> path();
   /// The answer, as if the run ended here.
   [[nodiscard]] PlannerAnswer answer();
+  /// What is proven of the length of paths so far.
+  [[nodiscard]] planning::LeastLength least_length() const;
 
  private:
   [[nodiscard]] std::int64_t left(std::int64_t wanted, std::int64_t promised) const;
