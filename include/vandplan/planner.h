@@ -288,8 +288,9 @@ struct Smoothed {
 /// shorter in total.
 ///
 /// With a set of goals, the goal is the one at which the path ends. If it ends at none, the goal is
-/// its own end: the status is `solved` all the same, and `result.goal` is none. A run without a
-/// limit of time or iterations takes `default_time_limit`.
+/// its own end: the status is `solved` all the same, and `result.goal` is none. Past vias each leg
+/// is smoothed, and vias slide along their sets. A run without a limit of time or iterations takes
+/// `default_time_limit`.
 ///
 /// Throws InputError as `plan` does, also naming "moving" if there are moving obstacles, and "path"
 /// if it has a number that is not finite.

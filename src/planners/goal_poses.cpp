@@ -11,6 +11,7 @@
 #include "problem/goal_set.h"
 #include "steering/words.h"
 #include "vandplan/steering.h"
+#include "vandplan/vehicle.h"
 
 namespace vandplan::planning {
 namespace {
@@ -76,6 +77,39 @@ LocalState state_of(const Task& task, const GoalPoint& point) {
       wrap_angle(region.heading.from + point.at[heading] * width(region.heading) + turned)};
   const double angle = between(region.hitch_angle.least, region.hitch_angle.most, point.at[hitch]);
   return Local(problem::state_at(task.vehicle, region, axle, angle));
+}
+
+std::optional<GoalPoint> point_at(const Task& task, const LocalState& state) {
+  const State& given = state;
+  const auto share = [](double from, double width, double value) {
+    return width > 0.0 ? std::clamp((value - from) / width, 0.0, 1.0) : 0.5;
+  };
+  for (std::size_t i = 0; i < task.goal_set.size(); ++i) {
+    const GoalRegion& region = task.goal_set[i];
+    const bool is_of_trailer = region.is_of_trailer && task.vehicle.trailer;
+    const Pose axle = is_of_trailer ? trailer_pose(task.vehicle, given) : given.pose;
+    const std::array<double, 4> widths = widths_of(region);
+    const Bounds box = box_of(region);
+    for (const bool is_turned : {false, true}) {
+      if (is_turned && !region.either_way) continue;
+      const double middle =
+          region.heading.from + widths[heading] / 2 + (is_turned ? std::numbers::pi : 0.0);
+      const double turn = wrap_angle(axle.heading - middle);
+      GoalPoint point{.region = i, .is_turned = is_turned};
+      point.at = {share(box.x_min, widths[x], axle.x), share(box.y_min, widths[y], axle.y),
+                  share(-widths[heading] / 2, widths[heading], turn),
+                  share(region.hitch_angle.least, widths[hitch], given.hitch_angle)};
+      const LocalState there = state_of(task, point);
+      const State& found = there;
+      constexpr double off = 4e-6;  // larger than the judge's tolerance of all numbers together
+      if (std::hypot(found.pose.x - given.pose.x, found.pose.y - given.pose.y) <= off &&
+          std::abs(wrap_angle(found.pose.heading - given.pose.heading)) <= off &&
+          std::abs(wrap_angle(found.hitch_angle - given.hitch_angle)) <= off) {
+        return point;
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 std::size_t goals_of_pose(const GoalRegion& region) {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "planners/anytime/open_ground.h"
@@ -27,6 +28,10 @@ struct GoalPoint {
 /// Number of goals of one pose of a region: it may be turned round, and the straight last stretch
 /// may be driven in both gears.
 [[nodiscard]] std::size_t goals_of_pose(const GoalRegion& region);
+
+/// The goal of the set at which a state is, except for the judge's tolerance; none if there is
+/// none.
+[[nodiscard]] std::optional<GoalPoint> point_at(const Task& task, const LocalState& state);
 
 /// Straight last stretch before a goal [m]; negative in reverse, 0 if the region asks for none.
 [[nodiscard]] double last_stretch(const Task& task, const GoalPoint& point);

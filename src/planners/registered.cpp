@@ -14,6 +14,7 @@
 #include "planners/in_time.h"
 #include "planners/plan_to_set.h"
 #include "planners/shared_options.h"
+#include "planners/via_chain.h"
 #include "sites/way.h"
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
@@ -37,17 +38,7 @@ Path part_between(const Path& known, const LocalPose& from, const LocalPose& to)
   };
   const auto first = nearest(points.begin(), from);
   const auto last = nearest(first, to);
-  Path part{first->pose, {}};
-  part.segments.reserve(known.segments.size());
-  double s = 0.0;
-  for (const Segment& segment : known.segments) {
-    const double whole = std::abs(segment.length);
-    const double begin = std::clamp(first->s - s, 0.0, whole);
-    const double end = std::clamp(last->s - s, 0.0, whole);
-    if (end > begin) part.segments.push_back(part_of(segment, begin, end));
-    s += whole;
-  }
-  return part;
+  return {first->pose, part_of_path(known.segments, first->s, last->s)};
 }
 
 /// Plans with the default planner. A known path counts only if no obstacle moves.

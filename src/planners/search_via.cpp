@@ -23,6 +23,7 @@
 namespace vandplan::planning {
 namespace {
 
+constexpr double endless_way = std::numeric_limits<double>::infinity();
 constexpr double no_cost = std::numeric_limits<double>::infinity();
 constexpr std::int64_t work_of_turn = 256;  // iterations of a leg in one turn
 constexpr std::int64_t patience_of_leg =
@@ -41,7 +42,8 @@ struct ViaLeg {
   ViaLeg(Task of, std::size_t to) : task(std::move(of)), via(to) {}
 
   Task task;
-  std::size_t via;  // via that it leads to, or the number of vias
+  std::size_t via;                 // via that it leads to, or the number of vias
+  std::optional<Path> known = {};  // path to begin with
   std::unique_ptr<PathSearch> search = {};
   std::optional<std::vector<Segment>> path = {};
   std::int64_t spent = 0;
@@ -62,8 +64,9 @@ struct ViaTrial {
 
 class ViaSearch final : public PathSearch {
  public:
+  /// `along`: path to begin with, or null.
   ViaSearch(const Task& task, const PlanOptions& options, double time_price,
-            const SearchTo& search_to)
+            const PathPastVias* along, const SearchTo& search_to)
       : task_(task),
         options_(options),
         search_to_(search_to),
@@ -72,6 +75,7 @@ class ViaSearch final : public PathSearch {
         nodes_(task, pricing_.prices()),
         bounds_(task, pricing_, work_of_bounds) {
     options_.budget.max_iterations.reset();
+    if (along != nullptr && begin_along(*along)) return;
     if (!nodes_.empty_via()) begin_chain();
   }
 
@@ -166,7 +170,7 @@ class ViaSearch final : public PathSearch {
         options.cost.initial_gear =
             leg.task.beyond.start > 0 ? InitialGear::forward : InitialGear::reverse;
       }
-      std::optional<Path> along;
+      std::optional<Path> along = leg.known;
       if (known != nullptr && known->path) along = Path{known->task.start, *known->path};
       leg.search = search_to_(leg.task, options, along ? &*along : nullptr);
     }
@@ -202,6 +206,37 @@ class ViaSearch final : public PathSearch {
     if (!chain) return;
     chain_ = *chain;
     for (std::size_t i = 0; i <= chain_.size(); ++i) legs_.push_back(leg_to(chain_, i));
+  }
+
+  /// Begins with the legs of a path. False if it does not pass the vias at free nodes.
+  bool begin_along(const PathPastVias& along) {
+    const auto& [path, passed] = along;
+    std::vector<ViaNode> chain;
+    chain.reserve(passed.size());
+    for (std::size_t via = 0; via < passed.size(); ++via) {
+      const std::vector<Segment> before = part_of_path(path.segments, 0.0, passed[via]);
+      std::vector<Segment> behind = part_of_path(path.segments, passed[via], endless_way);
+      LocalState there = start_state(task_);
+      for (const Segment& segment : before)
+        there = vandplan::advance(task_.vehicle, there, segment);
+      if (behind.empty()) {
+        if (before.empty()) return false;
+        const Segment& last = before.back();
+        behind.push_back(part_of(last, std::abs(last.length), std::abs(last.length)));
+      }
+      const Segment& next = behind.front();
+      const auto node = nodes_.added(via, there, search::gear_of(next), next.curvature);
+      if (!node) return false;
+      chain.push_back(*node);
+    }
+    chain_ = std::move(chain);
+    for (std::size_t i = 0; i <= chain_.size(); ++i) {
+      legs_.push_back(leg_to(chain_, i));
+      const double begin = i == 0 ? 0.0 : passed[i - 1];
+      const double end = i == chain_.size() ? endless_way : passed[i];
+      legs_.back()->known = Path{legs_.back()->task.start, part_of_path(path.segments, begin, end)};
+    }
+    return true;
   }
 
   /// Goes on with the first leg without a path, or with one whose wheels would have to jump. One
@@ -353,7 +388,12 @@ std::unique_ptr<PathSearch> search_via(const Task& task, const PlanOptions& opti
                                        double time_price, const Path* known,
                                        const SearchTo& search_to) {
   if (task.via.empty()) return search_to(task, options, known);
-  return std::make_unique<ViaSearch>(task, options, time_price, search_to);
+  return std::make_unique<ViaSearch>(task, options, time_price, nullptr, search_to);
+}
+
+std::unique_ptr<PathSearch> search_via(const Task& task, const PlanOptions& options,
+                                       const PathPastVias& along, const SearchTo& search_to) {
+  return std::make_unique<ViaSearch>(task, options, 0.0, &along, search_to);
 }
 
 }  // namespace vandplan::planning

@@ -6,6 +6,7 @@
 // Each leg between two places is a search of its own. Method: docs/algorithms/goal_sets.md.
 
 #include <memory>
+#include <vector>
 
 #include "planners/path_search.h"
 #include "vandplan/path.h"
@@ -13,6 +14,18 @@
 #include "vandplan/problem.h"
 
 namespace vandplan::planning {
+
+/// A path that passes the vias of a task.
+struct PathPastVias {
+  Path path;                   ///< the path, in the frame of the task
+  std::vector<double> passed;  ///< driven distance to each via [m]
+};
+
+/// A search for paths that pass the vias of `task` as `along` does at first. Its legs begin with
+/// those of `along`, other legs with a neighbour's. Throughout like the other `search_via`.
+[[nodiscard]] std::unique_ptr<PathSearch> search_via(const Task& task, const PlanOptions& options,
+                                                     const PathPastVias& along,
+                                                     const SearchTo& search_to);
 
 /// A search for paths that pass the vias of `task`: `search_to` searches for the legs between
 /// them. Costs are those of `Pricing` with this `time_price`. The task outlives the search. Without

@@ -17,6 +17,7 @@
 #include "planners/options.h"
 #include "planners/pricing.h"
 #include "planners/rig/softer_wheels.h"
+#include "planners/search_via.h"
 #include "search/route.h"
 #include "search/wheels.h"
 #include "steering/words.h"
@@ -32,35 +33,57 @@ using planning::Pricing, planning::pricing_of;
 
 constexpr std::array<std::string_view, 2> method_names = {"clothoids", "optimised"};
 constexpr std::int64_t max_repairs = 20'000;
-constexpr std::int64_t settling = 1000;  // trials that take out what repairs made longer
+constexpr std::int64_t settling = 1000;          // trials that take out what repairs made longer
+constexpr std::int64_t work_of_round = 1 << 20;  // iterations between two looks at the budget
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// One run of the smoother.
-class Smoother {
+/// Smooths a path step by step.
+class Smoother final : public planning::PathSearch {
  public:
-  Smoother(const Task& task, const PlanOptions& options, const Path& path)
+  /// `path` is in the frame of the task; its ends need not be those of the task. The task outlives
+  /// the smoother.
+  Smoother(const Task& task, const PlanOptions& options, const Path& path, SmoothMethod method)
       : task_(task),
         seed_(options.budget.seed),
+        method_(method),
         pricing_(pricing_of(task, options)),
         budget_(options.budget),
-        old_{task.start, path.segments} {}
+        old_(path) {}
 
-  [[nodiscard]] PlannerAnswer run(SmoothMethod method);
+  bool advance(std::int64_t most) override;
+  /// The smoothed path; with the method clothoids none before it is settled.
+  [[nodiscard]] std::optional<std::vector<Segment>> path() override {
+    const bool is_settled = method_ == SmoothMethod::optimised || !has_work();
+    return is_settled ? answer_.segments : std::nullopt;
+  }
+  [[nodiscard]] std::int64_t iterations() const override { return budget_.iterations(); }
+  [[nodiscard]] PlannerAnswer answer() override;
 
  private:
   [[nodiscard]] bool is_drivable(Connector& connector) const;
-  [[nodiscard]] std::optional<Route> chained(Connector& connector);
+  void begin();
+  void begin_trials();
   void bend();
-  void improve(std::optional<anytime::Shortener>& shortener, std::int64_t trials);
+  [[nodiscard]] bool is_repairing() const;
+  [[nodiscard]] bool has_work() const;
+  void step();
+  void offer_route();
+  void offer_drive();
   void take(std::vector<Segment> segments, double price);
 
   const Task& task_;
   std::uint64_t seed_;
+  SmoothMethod method_;
   Pricing pricing_;
   Budget budget_;
   Path old_;
+  bool has_begun_ = false, is_drivable_ = false, is_trying_ = false;
+  std::optional<Connector> connector_;
+  std::optional<anytime::Chain> chain_;  // none once it is free or given up
+  std::optional<anytime::Shortener> shortener_;
   std::optional<DriveShortener> drive_;  // drive along the old path
-  double least_ = infinity;              // price of the answer
+  std::int64_t repairs_ = 0, trials_ = 0;
+  double least_ = infinity;  // price of the answer
   PlannerAnswer answer_;
 };
 
@@ -74,7 +97,7 @@ bool Smoother::is_drivable(Connector& connector) const {
     if (!may_follow(connector, before, segment)) return false;
     if (!connector.is_free(pose, segment)) return false;
     before = last_driven(segment);
-    pose = advance(pose, segment);
+    pose = vandplan::advance(pose, segment);
   }
   const double last = driven_at_ends(task_).after.curvature;
   if (std::abs(last - before.curvature) * connector.radius() > straight_wheels) return false;
@@ -93,17 +116,6 @@ void Smoother::take(std::vector<Segment> segments, double price) {
   answer_.status = PlanStatus::solved;
 }
 
-/// [2], [3] A free route along the old path; none if none was found.
-std::optional<Route> Smoother::chained(Connector& connector) {
-  anytime::Chain chain(task_, connector, old_, stream_seed(seed_, 0));
-  if (!chain.join()) return std::nullopt;
-  for (std::int64_t i = 0; i < max_repairs && !chain.is_free() && budget_.next(); ++i) {
-    chain.repair();
-  }
-  if (!chain.is_free()) return std::nullopt;
-  return chain.route();
-}
-
 /// [4] Makes commands of the old path, if their drive is free.
 void Smoother::bend() {
   const auto commands = commands::commands_along(task_, old_.segments);
@@ -111,58 +123,122 @@ void Smoother::bend() {
   drive_.emplace(task_, pricing_.rule(), *commands, stream_seed(seed_, 2), pricing_.measure());
 }
 
-/// [5] Shortens the route and bends the old path, in turns.
-void Smoother::improve(std::optional<anytime::Shortener>& shortener, std::int64_t trials) {
-  const auto offer_route = [&] {
-    if (shortener->cost() < least_) take(path_of(shortener->route()).segments, shortener->cost());
-  };
-  const auto offer_drive = [&] {
-    if (drive_->cost() < least_) take(drive_->segments(), drive_->cost());
-  };
-  if (shortener) offer_route();
-  if (drive_) offer_drive();
-  for (std::int64_t i = 0; i < trials && (shortener || drive_) && budget_.next(); ++i) {
-    if (drive_ && (!shortener || i % 2 == 0)) {
-      if (drive_->step()) offer_drive();
-    } else if (shortener->step()) {
-      offer_route();
-    }
-  }
+void Smoother::offer_route() {
+  if (shortener_->cost() < least_) take(path_of(shortener_->route()).segments, shortener_->cost());
+}
+
+void Smoother::offer_drive() {
+  if (drive_->cost() < least_) take(drive_->segments(), drive_->cost());
 }
 
 // The steps of docs/algorithms/smooth.md.
-PlannerAnswer Smoother::run(SmoothMethod method) {
-  const bool is_optimised = method == SmoothMethod::optimised;
-  const std::int64_t trials = is_optimised ? std::numeric_limits<std::int64_t>::max() : settling;
-  std::optional<Connector> connector;
-  std::optional<anytime::Shortener> shortener;
-  bool is_drivable = false;
+void Smoother::begin() {
+  has_begun_ = true;
   if (!task_.vehicle.trailer) {
-    connector.emplace(task_, pricing_.rule());
-    is_drivable = this->is_drivable(*connector);
-    if (is_drivable) {  // [1]
+    connector_.emplace(task_, pricing_.rule());
+    is_drivable_ = is_drivable(*connector_);
+    if (is_drivable_) {  // [1]
       take(old_.segments, pricing_.price(old_.segments, ClearanceSampling::search));
+      if (method_ != SmoothMethod::optimised) return;
     }
+    chain_.emplace(task_, *connector_, old_, stream_seed(seed_, 0));  // [2]
+    if (!chain_->join()) chain_.reset();
   }
-  if (is_drivable && !is_optimised) return std::move(answer_);
-  if (connector) {
-    std::optional<Route> route = chained(*connector);
+  if (!is_repairing()) begin_trials();
+}
+
+/// Makes what trials shorten: a route of the chain, if that is free, and the old path bent.
+void Smoother::begin_trials() {
+  is_trying_ = true;
+  if (chain_ && chain_->is_free()) {
     std::function<double(const Route&)> measure;
     if (const auto of_drive = pricing_.measure()) {
       measure = [of_drive](const Route& r) { return of_drive(path_of(r).segments); };
     }
-    if (route) {
-      shortener.emplace(*connector, *std::move(route), stream_seed(seed_, 1), anytime::Scope::all,
-                        std::move(measure));
-    }
+    shortener_.emplace(*connector_, chain_->route(), stream_seed(seed_, 1), anytime::Scope::all,
+                       std::move(measure));
   }
-  if (is_drivable || task_.vehicle.trailer) bend();
-  improve(shortener, trials);
-  answer_.iterations = budget_.iterations();
-  if (answer_.segments) return std::move(answer_);
-  answer_.status = budget_.exhausted().value_or(PlanStatus::no_path);
-  answer_.reason = "no way along the path was found that the wheels can follow";
-  return std::move(answer_);
+  chain_.reset();
+  if (is_drivable_ || task_.vehicle.trailer) bend();
+  if (shortener_) offer_route();
+  if (drive_) offer_drive();
+}
+
+bool Smoother::is_repairing() const {
+  return chain_ && repairs_ < max_repairs && !chain_->is_free();
+}
+
+bool Smoother::has_work() const {
+  if (is_repairing()) return true;
+  const bool may_try = method_ == SmoothMethod::optimised || trials_ < settling;
+  return is_trying_ && may_try && (shortener_ || drive_);
+}
+
+/// [3] One repair, or [5] one trial: the route is shortened and the old path bent, in turns.
+void Smoother::step() {
+  if (is_repairing()) {
+    ++repairs_;
+    chain_->repair();
+    if (!is_repairing()) begin_trials();
+    return;
+  }
+  if (drive_ && (!shortener_ || trials_ % 2 == 0)) {
+    if (drive_->step()) offer_drive();
+  } else if (shortener_->step()) {
+    offer_route();
+  }
+  ++trials_;
+}
+
+bool Smoother::advance(std::int64_t most) {
+  if (!has_begun_) begin();
+  for (; most > 0 && has_work(); --most) {
+    if (!budget_.next()) {
+      if (is_repairing()) {
+        chain_.reset();
+        begin_trials();
+      }
+      return false;
+    }
+    step();
+  }
+  return has_work();
+}
+
+PlannerAnswer Smoother::answer() {
+  PlannerAnswer answer = answer_;
+  answer.iterations = budget_.iterations();
+  if (answer.segments) return answer;
+  answer.status = budget_.exhausted().value_or(PlanStatus::no_path);
+  answer.reason = "no way along the path was found that the wheels can follow";
+  return answer;
+}
+
+/// Smooths a path past vias leg by leg. In turn with that, vias slide along their sets where that
+/// makes it cheaper.
+PlannerAnswer smoothed_past_vias(const Task& task, const PlanOptions& options,
+                                 const planning::PathPastVias& along, SmoothMethod method) {
+  Task to_goal = task;
+  to_goal.goal_set.clear();
+  const planning::SearchTo smoother_of = [&](const Task& leg, const PlanOptions& of_leg,
+                                             const Path* known) {
+    const Path& old = known != nullptr ? *known : along.path;
+    return std::make_unique<Smoother>(leg, of_leg, Path{leg.start, old.segments}, method);
+  };
+  const auto search = planning::search_via(to_goal, options, along, smoother_of);
+  Budget budget(options.budget);
+  const bool is_optimised = method == SmoothMethod::optimised;
+  while (!budget.exhausted() && (is_optimised || !search->path())) {
+    const std::int64_t before = search->iterations();
+    const std::int64_t wanted = search->path() ? work_of_round : 1;  // at first on each leg
+    const bool goes_on = search->advance(budget.left(wanted, 0));
+    budget.spend(search->iterations() - before);
+    if (!goes_on) break;
+  }
+  PlannerAnswer answer = search->answer();
+  answer.lower_bound.reset();
+  if (!answer.segments && budget.exhausted()) answer.status = *budget.exhausted();
+  return answer;
 }
 
 /// Throws InputError naming "path" for a path with a number that is not finite.
@@ -178,17 +254,36 @@ void expect_finite(const Path& path) {
 /// The problem with one goal in place of its set: the goal of the set where the path ends, or else
 /// the end of the path.
 Problem to_end_of(const Problem& problem, const Path& path) {
-  const bool has_set = !problem.goal_set().empty();
-  if ((!has_set && problem.via().empty()) || !problem.task().moving.empty()) return problem;
+  if (problem.goal_set().empty() || !problem.task().moving.empty()) return problem;
   State end{path.start, problem.hitch_angles().start};
   for (const Segment& segment : path.segments) end = advance(problem.vehicle(), end, segment);
   const std::optional<ReachedGoal> goal = check_path(problem, path).goal;
-  const double curvature = goal      ? problem.goal_set()[goal->index].curvature
-                           : has_set ? 0.0
-                                     : problem.curvatures().goal;
-  return make_problem(problem.world(), problem.vehicle(), problem.start(),
-                      goal ? goal->pose : end.pose, {problem.curvatures().start, curvature},
-                      {problem.hitch_angles().start, end.hitch_angle});
+  const double curvature = goal ? problem.goal_set()[goal->index].curvature : 0.0;
+  const Problem one = make_problem(
+      problem.world(), problem.vehicle(), problem.start(), goal ? goal->pose : end.pose,
+      {problem.curvatures().start, curvature}, {problem.hitch_angles().start, end.hitch_angle});
+  return problem.via().empty() ? one : with_via(one, problem.via());
+}
+
+/// Driven distances to the vias of a problem, as far as the path passes them.
+std::vector<double> passed_along(const Problem& problem, const Path& path) {
+  std::vector<double> passed;
+  const std::vector<PassedVia> via = check_path(problem, path).via;
+  passed.reserve(via.size());
+  for (const PassedVia& there : via) passed.push_back(there.s);
+  return passed;
+}
+
+/// `smoother` of a path past the vias of a problem, at these distances.
+Planner smoother_past_vias(const Path& path, std::vector<double> passed, SmoothMethod method) {
+  Planner planner = smoother(path, method);
+  planner.properties.capabilities.add(Capability::goal_sets);  // the end of the path
+  planner.properties.capabilities.add(Capability::via);
+  planner.function = [path, passed = std::move(passed), method](const Task& task,
+                                                                const PlanOptions& options) {
+    return smoothed_past_vias(task, options, {{task.start, path.segments}, passed}, method);
+  };
+  return planner;
 }
 
 /// Whether an option of the run that planned a path counts when the path is smoothed.
@@ -224,7 +319,10 @@ Planner smoother(const Path& path, SmoothMethod method) {
                          .anytime = method == SmoothMethod::optimised},
           .options = {anytime::min_stroke_option()},
           .function = [path, method](const Task& task, const PlanOptions& options) {
-            return Smoother(task, options, path).run(method);
+            Smoother smoother(task, options, {task.start, path.segments}, method);
+            while (smoother.advance(work_of_round)) {
+            }
+            return smoother.answer();
           }};
 }
 
@@ -246,8 +344,12 @@ Smoothed smooth(const Problem& of_set, const Path& path, SmoothMethod method,
                 const PlanOptions& options) {
   expect_finite(path);
   const Problem problem = to_end_of(of_set, path);
-  const Planner planner = smoother(path, method);
-  Smoothed smoothed{.result = plan(problem, planner, options)};
+  const std::vector<double> passed = passed_along(problem, path);
+  const bool passes_vias = !passed.empty() && passed.size() == problem.via().size();
+  const Planner planner =
+      passes_vias ? smoother_past_vias(path, passed, method) : smoother(path, method);
+  const Problem planned = passes_vias ? problem : with_via(problem, {});
+  Smoothed smoothed{.result = plan(planned, planner, options)};
   smoothed.options = complete(planner, options, problem.vehicle());
   const auto& [clearance, steering] =
       std::pair(smoothed.options.clearance, *smoothed.options.steering);
@@ -265,6 +367,7 @@ Smoothed smooth(const Problem& of_set, const Path& path, SmoothMethod method,
     if (!result.path) return;
     PathCheck check = check_path(of_set, *result.path);
     result.goal = check.goal;
+    result.via = check.via;
     if (check.valid) return;
     // The smoothed path ends at the goal, but not straight.
     result.status = PlanStatus::rejected;

@@ -19,6 +19,21 @@ constexpr double share_of_curvature = 4.0;
 
 }  // namespace
 
+std::vector<Segment> part_of_path(std::span<const Segment> segments, double begin, double end) {
+  constexpr double crumb = 1e-9;  // what is shorter is left out [m]
+  std::vector<Segment> part;
+  part.reserve(segments.size());
+  double s = 0.0;
+  for (const Segment& segment : segments) {
+    const double length = std::abs(segment.length);
+    const double from = std::clamp(begin - s, 0.0, length);
+    const double to = std::clamp(end - s, 0.0, length);
+    if (to - from > crumb) part.push_back(part_of(segment, from, to));
+    s += length;
+  }
+  return part;
+}
+
 ViaNodes::ViaNodes(const Task& task, const search::CostRule& rule) : task_(task), rule_(rule) {
   for (const Via& via : task.via) {
     Task& alone = tasks_.emplace_back(task);
@@ -57,6 +72,28 @@ void ViaNodes::add_gears(std::size_t via, const ViaNode& node, std::vector<ViaNo
     added.stands = stands;
     if (is_any) return;
   }
+}
+
+std::optional<ViaNode> ViaNodes::added(std::size_t via, const LocalState& state,
+                                       search::GearSign gear, double curvature) {
+  const std::optional<GoalPoint> point = point_at(tasks_[via], state);
+  if (!point) return std::nullopt;
+  ViaNode node{.point = *point, .state = state_of(tasks_[via], *point)};
+  if (!is_free(node)) return std::nullopt;
+  node.stands = task_.via[via].stop;
+  node.gear = node.stands && rule_.gear_change_cost == 0.0 ? 0 : gear;
+  if (task_.steering != Steering::reeds_shepp) {
+    const double sharpest = sharpest_through();
+    node.curvature = std::clamp(curvature, -sharpest, sharpest);
+  }
+  node.number = nodes_[via].size();
+  nodes_[via].push_back(node);
+  return node;
+}
+
+/// Tightest curvature with which a via is driven through [1/m].
+double ViaNodes::sharpest_through() const {
+  return (1 - 1e-9) / search::continuous_radius(task_.vehicle);
 }
 
 std::optional<std::size_t> ViaNodes::empty_via() const {
@@ -137,7 +174,7 @@ std::vector<ViaNode> ViaNodes::beside(const std::vector<ViaNode>& chain, std::si
   }
   if (node.stands) return found;
   if (task_.steering != Steering::reeds_shepp) {
-    const double sharpest = (1 - 1e-9) / search::continuous_radius(task_.vehicle);
+    const double sharpest = sharpest_through();
     for (const double step : {share, -share}) {
       ViaNode other = node;
       other.curvature =

@@ -7,12 +7,14 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "planners/goal_poses.h"
 #include "planners/path_search.h"
+#include "vandplan/path.h"
 #include "vandplan/problem.h"
 #include "vandplan/search.h"
 
@@ -27,6 +29,10 @@ struct ViaNode {
   double curvature = 0.0;     ///< curvature with which it drives through [1/m]
   std::size_t number = 0;     ///< number among the nodes of its via
 };
+
+/// Segments between two driven distances [m].
+[[nodiscard]] std::vector<Segment> part_of_path(std::span<const Segment> segments, double begin,
+                                                double end);
 
 /// The nodes of all vias, and which of them a path should take.
 class ViaNodes {
@@ -44,6 +50,10 @@ class ViaNodes {
   /// The chain of one node of each via that seems shortest, without the legs that were given up.
   /// None if there is none.
   [[nodiscard]] std::optional<std::vector<ViaNode>> best_chain() const;
+  /// The node of a via at a state, as a further one; none if the state is not in the via or not
+  /// free. `gear`: gear in which the vehicle goes on.
+  [[nodiscard]] std::optional<ViaNode> added(std::size_t via, const LocalState& state,
+                                             search::GearSign gear, double curvature);
   /// Gives up the leg that leads to node `to` of a via from node `from` of the via before.
   void give_up(std::size_t via, std::size_t from, std::size_t to) { lost_[{via, from, to}] = true; }
 
@@ -63,6 +73,7 @@ class ViaNodes {
   [[nodiscard]] double way_through(const std::vector<ViaNode>& chain, std::size_t via,
                                    const LocalState& state) const;
   [[nodiscard]] bool is_free(const ViaNode& node) const;
+  [[nodiscard]] double sharpest_through() const;
   void add_gears(std::size_t via, const ViaNode& node, std::vector<ViaNode>& nodes) const;
 
   const Task& task_;

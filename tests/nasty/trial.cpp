@@ -203,6 +203,22 @@ class Judgement {
       try_planner(smoother(path, method), false);
     }
     try_planner(warm_started(path), false);
+    try_to_smooth(path);
+  }
+
+  /// The smoothed path is no dearer than the one given, and keeps to its vias.
+  void try_to_smooth(const Path& path) {
+    if (!scenario_.moving.empty()) return;
+    PlanOptions options = options_for(smoother(path, SmoothMethod::optimised));
+    options.clearance = {};
+    const Smoothed smoothed = smooth(*problem_, path, SmoothMethod::optimised, options);
+    const PlanResult& result = smoothed.result;
+    if (!smoothed.given_fault.empty()) return;
+    if (!result.path) return fault("smoothing loses a path: " + result.reason);
+    if (result.cost > smoothed.given_cost * (1 + 1e-9)) fault("smoothing makes a path dearer");
+    const std::string flaw = naive_flaw(scenario_, *result.path);
+    if (!flaw.empty()) fault("smoothed, says the naive judge: " + flaw);
+    if (result.via.size() != scenario_.via.size()) fault("smoothing loses a via");
   }
 
   /// How much longer a path to the very goal may be than `path`, which ends a little beside it and

@@ -182,12 +182,13 @@ double shortest_stroke(const std::vector<Segment>& segments) {
 }
 
 /// Smooths a path that was planned with options, by what is stored of these. True if it got better.
-bool expect_no_worse(const Problem& problem, const PlanOptions& options, SmoothMethod method) {
+bool expect_no_worse(const Problem& problem, const PlanOptions& options, SmoothMethod method,
+                     std::int64_t trials = 100) {
   const PlanResult planned = plan(problem, options);
   if (!planned.path || planned.path->segments.empty()) return false;
   const PlanOptions in_force = complete(default_planner(), options, problem.vehicle());
   PlanOptions kept = smooth_options({}, settings_of(in_force));
-  kept.budget.max_iterations = 100;
+  kept.budget.max_iterations = trials;
   const Smoothed smoothed = smooth(problem, *planned.path, method, kept);
   const PlanResult& result = smoothed.result;
   EXPECT_EQ(smoothed.options.clearance, in_force.clearance);
@@ -234,6 +235,63 @@ TEST(SmoothDoor, IsNeverWorseForARig) {
     }
   });
   EXPECT_GE(better, 1);
+}
+
+/// Past two vias among boxes: a gate of some width and headings, and a place where it stands or
+/// not.
+Problem random_problem_past_vias(Rng& rng) {
+  const Problem problem = random_problem_to_smooth(rng);
+  Via gate{{{.x = {-3, 3}, .y = {8, 10}, .heading = {-0.5, 0.5}}}};
+  if (rng() % 2 == 0) gate.any_of.front().heading = any_heading;
+  const Via place{{region_of_pose(uniform_pose({-25, 25, -25, 25}, rng))}, rng() % 2 == 0};
+  return with_via(problem, {gate, place});
+}
+
+TEST(SmoothDoor, KeepsViasAndIsNeverWorse) {
+  int better = 0;
+  for_each_case(5, 16, [&](Rng& rng) {
+    const Problem problem = random_problem_past_vias(rng);
+    PlanOptions options = random_options(rng);
+    options.budget.max_iterations = 600;
+    for (const SmoothMethod method : {SmoothMethod::clothoids, SmoothMethod::optimised}) {
+      if (expect_no_worse(problem, options, method, 4000)) ++better;
+    }
+  });
+  EXPECT_GE(better, cases(16) / 4);
+}
+
+TEST(SmoothDoor, SlidesAViaAlongItsSet) {
+  const Problem alone = problem_of({0, 0, 0}, {40, 0, 0}, {});
+  const GoalRegion strip{.x = {15, 25}, .y = {4, 12}, .heading = {-0.5, 0.5}};
+  const Problem through_one_pose = with_via(alone, {{{region_of_pose({20, 11, 0.3})}}});
+  const PlanOptions options = iterations(2000, Steering::continuous_between_stops);
+  const PlanResult planned = plan(through_one_pose, options);
+  if (is_sanitized && !planned.path) return;
+  ASSERT_TRUE(planned.path) << planned.reason;
+  const Problem problem = with_via(alone, {{{strip}}});
+  PlanOptions more = options;
+  more.budget.max_iterations = is_sanitized ? 200 : 10'000;
+  const Smoothed smoothed = smooth(problem, *planned.path, SmoothMethod::optimised, more);
+  ASSERT_EQ(smoothed.result.status, PlanStatus::solved) << smoothed.result.reason;
+  ASSERT_EQ(smoothed.result.via.size(), 1U);
+  if (is_sanitized) return;
+  EXPECT_LE(smoothed.result.via[0].pose.y, 5);
+  EXPECT_LE(smoothed.result.cost, 1.01 * plan(problem, more).cost);
+}
+
+// The second via lies on the way back, where the path has been before.
+TEST(SmoothDoor, KeepsTheOrderOfVias) {
+  const Problem problem =
+      with_via(problem_of({0, 0, 0}, {0, 4, 0}, {}),
+               {{{region_of_pose({20, 0, 0})}}, {{region_of_pose({10, 0, 0})}, true}});
+  const PlanOptions options = iterations(3000, Steering::continuous_between_stops);
+  const PlanResult planned = plan(problem, options);
+  if (is_sanitized && !planned.path) return;
+  ASSERT_TRUE(planned.path) << planned.reason;
+  const Smoothed smoothed = smooth(problem, *planned.path, SmoothMethod::optimised, options);
+  ASSERT_EQ(smoothed.result.via.size(), 2U) << smoothed.result.reason;
+  EXPECT_LT(smoothed.result.via[0].s, smoothed.result.via[1].s);
+  EXPECT_LE(smoothed.result.cost, planned.cost);
 }
 
 /// A truck that drives 40 m along a wall.
