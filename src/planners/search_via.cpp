@@ -34,7 +34,7 @@ constexpr double is_near_best = 1.05;        // a trial up to so many times the 
 constexpr double first_step_beside = 0.125;  // first step beside a node [share of its intervals]
 constexpr double last_step_beside = 5e-4;    // last step
 constexpr double worth_trying = 1.15;  // other poses are tried up to so many times the straight way
-constexpr std::int64_t work_of_bounds = 200'000;  // pairs of parts of vias that bounds look at
+constexpr std::int64_t work_of_bounds = 20'000;  // pairs of parts of vias that bounds look at
 constexpr double same_curvature = 2e-7;  // difference that is rounding, times the turning radius
 
 /// The way between two neighbours of a chain, and the search for it.

@@ -13,8 +13,8 @@
 namespace vandplan::planning {
 namespace {
 
-constexpr std::size_t halvings_of_set = 20'000;   // halvings of parts of all regions
-constexpr std::int64_t work_past_vias = 200'000;  // pairs of parts of vias that are looked at
+constexpr std::size_t halvings_of_set = 20'000;  // halvings of parts of all regions
+constexpr std::int64_t work_past_vias = 20'000;  // pairs of parts of vias that are looked at
 
 }  // namespace
 
