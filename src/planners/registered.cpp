@@ -14,7 +14,7 @@
 #include "planners/in_time.h"
 #include "planners/plan_to_set.h"
 #include "planners/shared_options.h"
-#include "planners/via_chain.h"
+#include "search/route.h"
 #include "sites/way.h"
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
@@ -38,7 +38,7 @@ Path part_between(const Path& known, const LocalPose& from, const LocalPose& to)
   };
   const auto first = nearest(points.begin(), from);
   const auto last = nearest(first, to);
-  return {first->pose, part_of_path(known.segments, first->s, last->s)};
+  return {first->pose, search::part_of(known.segments, first->s, last->s)};
 }
 
 /// Plans with the default planner. A known path counts only if no obstacle moves.

@@ -17,6 +17,7 @@
 #include "planners/pricing.h"
 #include "planners/via_chain.h"
 #include "problem/goal_set.h"
+#include "search/route.h"
 #include "search/wheels.h"
 #include "vandplan/search.h"
 
@@ -214,11 +215,12 @@ class ViaSearch final : public PathSearch {
     std::vector<ViaNode> chain;
     chain.reserve(passed.size());
     for (std::size_t via = 0; via < passed.size(); ++via) {
-      const std::vector<Segment> before = part_of_path(path.segments, 0.0, passed[via]);
-      std::vector<Segment> behind = part_of_path(path.segments, passed[via], endless_way);
+      const std::vector<Segment> before = search::part_of(path.segments, 0.0, passed[via]);
+      std::vector<Segment> behind = search::part_of(path.segments, passed[via], endless_way);
       LocalState there = start_state(task_);
-      for (const Segment& segment : before)
+      for (const Segment& segment : before) {
         there = vandplan::advance(task_.vehicle, there, segment);
+      }
       if (behind.empty()) {
         if (before.empty()) return false;
         const Segment& last = before.back();
@@ -234,7 +236,8 @@ class ViaSearch final : public PathSearch {
       legs_.push_back(leg_to(chain_, i));
       const double begin = i == 0 ? 0.0 : passed[i - 1];
       const double end = i == chain_.size() ? endless_way : passed[i];
-      legs_.back()->known = Path{legs_.back()->task.start, part_of_path(path.segments, begin, end)};
+      legs_.back()->known =
+          Path{legs_.back()->task.start, search::part_of(path.segments, begin, end)};
     }
     return true;
   }

@@ -19,21 +19,6 @@ constexpr double share_of_curvature = 4.0;
 
 }  // namespace
 
-std::vector<Segment> part_of_path(std::span<const Segment> segments, double begin, double end) {
-  constexpr double crumb = 1e-9;  // what is shorter is left out [m]
-  std::vector<Segment> part;
-  part.reserve(segments.size());
-  double s = 0.0;
-  for (const Segment& segment : segments) {
-    const double length = std::abs(segment.length);
-    const double from = std::clamp(begin - s, 0.0, length);
-    const double to = std::clamp(end - s, 0.0, length);
-    if (to - from > crumb) part.push_back(part_of(segment, from, to));
-    s += length;
-  }
-  return part;
-}
-
 ViaNodes::ViaNodes(const Task& task, const search::CostRule& rule) : task_(task), rule_(rule) {
   for (const Via& via : task.via) {
     Task& alone = tasks_.emplace_back(task);

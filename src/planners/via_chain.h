@@ -30,10 +30,6 @@ struct ViaNode {
   std::size_t number = 0;     ///< number among the nodes of its via
 };
 
-/// Segments between two driven distances [m].
-[[nodiscard]] std::vector<Segment> part_of_path(std::span<const Segment> segments, double begin,
-                                                double end);
-
 /// The nodes of all vias, and which of them a path should take.
 class ViaNodes {
  public:

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "search/route.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan::replanning {
 namespace {
 
-constexpr double least_length = 1e-9;  // least length of a segment [m]
-constexpr double least_time = 1e-9;    // least time between two knots [s]
+constexpr double least_time = 1e-9;  // least time between two knots [s]
 
 /// Index of the last knot that is not later than `t`.
 std::size_t knot_at(const SpeedProfile& speeds, double t) {
@@ -31,19 +31,6 @@ SpeedKnot advanced(const SpeedKnot& knot, double d) {
 }
 
 }  // namespace
-
-std::vector<Segment> cut(std::span<const Segment> segments, double begin, double end) {
-  std::vector<Segment> result;
-  double s = 0.0;
-  for (const Segment& segment : segments) {
-    const double length = std::abs(segment.length);
-    const double from = std::clamp(begin - s, 0.0, length);
-    const double to = std::clamp(end - s, 0.0, length);
-    if (to - from > least_length) result.push_back(part_of(segment, from, to));
-    s += length;
-  }
-  return result;
-}
 
 TimedPath standing_at(const Pose& pose) {
   TimedPath drive{{pose, {}}, {}};
@@ -65,11 +52,11 @@ CutDrive rest_of(const TimedPath& drive, const Vehicle& vehicle, double t, doubl
   CutDrive rest{{{}, {}}, {motion_at(drive.path, vehicle, speeds, t)}};
   const double s = rest.begin.s;
   rest.begin.hitch_angle =
-      hitch_angle_after(vehicle, hitch_angle, cut(drive.path.segments, 0.0, s));
+      hitch_angle_after(vehicle, hitch_angle, search::part_of(drive.path.segments, 0.0, s));
   const double end = speeds.knots.back().s;
   rest.begin.t = 0.0;
   rest.begin.s = 0.0;
-  rest.drive.path = {rest.begin.pose, cut(drive.path.segments, s, end)};
+  rest.drive.path = {rest.begin.pose, search::part_of(drive.path.segments, s, end)};
   SpeedProfile& left = rest.drive.speeds;
   const std::size_t first = knot_at(speeds, t);
   SpeedKnot now = advanced(speeds.knots[first], t - speeds.knots[first].t);
@@ -105,7 +92,7 @@ TimedPath before(const TimedPath& drive, const Vehicle& vehicle, double t) {
   const SpeedProfile& speeds = drive.speeds;
   t = std::clamp(t, 0.0, speeds.duration);
   const double s = motion_at(drive.path, vehicle, speeds, t).s;
-  TimedPath first{{drive.path.start, cut(drive.path.segments, 0.0, s)}, {}};
+  TimedPath first{{drive.path.start, search::part_of(drive.path.segments, 0.0, s)}, {}};
   const std::size_t last = knot_at(speeds, t);
   for (std::size_t i = 0; i <= last; ++i) {
     if (speeds.knots[i].t < t) first.speeds.knots.push_back(speeds.knots[i]);

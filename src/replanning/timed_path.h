@@ -30,9 +30,6 @@ struct CutDrive {
 /// Drive `first`, followed by drive `then`.
 [[nodiscard]] TimedPath joined(const TimedPath& first, const TimedPath& then);
 
-/// Segments of the part of a path from `begin` to `end` [m].
-[[nodiscard]] std::vector<Segment> cut(std::span<const Segment> segments, double begin, double end);
-
 /// Hitch angle after the segments [rad]; `angle` is that before them.
 [[nodiscard]] double hitch_angle_after(const Vehicle& vehicle, double angle,
                                        std::span<const Segment> segments);

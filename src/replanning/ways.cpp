@@ -11,6 +11,7 @@
 #include "moving/yielding.h"
 #include "planners/in_time.h"
 #include "planners/last_stretch.h"
+#include "search/route.h"
 #include "speed/moving_start.h"
 #include "vandplan/input_error.h"
 #include "vandplan/search.h"
@@ -194,7 +195,8 @@ std::optional<Path> Ways::path_of(Look look, const CutDrive& from, const std::ve
     const bool reverses = begin.gear == Gear::reverse;
     options.cost.initial_gear = reverses ? InitialGear::reverse : InitialGear::forward;
   } else if (speed > stands) {
-    path.segments = cut(from.drive.path.segments, 0.0, braking_distance(speed) * (1 + 1e-6));
+    path.segments =
+        search::part_of(from.drive.path.segments, 0.0, braking_distance(speed) * (1 + 1e-6));
     root.pose = end_pose(path);
     root.hitch_angle = hitch_angle_after(scene_.vehicle, begin.hitch_angle, path.segments);
     if (!path.segments.empty()) {
@@ -251,7 +253,7 @@ std::optional<NewDrive> Ways::to_stop(int i, const CutDrive& rest, double margin
   if (i > 0 && whole - first <= shortest_stop) return std::nullopt;
   const double far = first + (whole - first) * i * i / ((stops - 1) * (stops - 1));
   if (far <= shortest_stop) return NewDrive{standing_at(rest.begin.pose), TickOutcome::stop};
-  const Path path{rest.begin.pose, cut(segments, 0.0, far)};
+  const Path path{rest.begin.pose, search::part_of(segments, 0.0, far)};
   auto drive = timed(path, rest.begin, scene_.via, 0.0, margin, limit, endless);
   if (!drive) return std::nullopt;
   return NewDrive{*std::move(drive), TickOutcome::stop};
@@ -266,7 +268,7 @@ NewDrive Ways::braking(const CutDrive& rest) const {
   const DrivingLimits& limits = scene_.vehicle.limits;
   const double braking = limits.max_braking.value_or(limits.max_acceleration);
   const double far = speed * speed / (2 * braking);
-  Path path{rest.begin.pose, cut(rest.drive.path.segments, 0.0, far)};
+  Path path{rest.begin.pose, search::part_of(rest.drive.path.segments, 0.0, far)};
   const double left = far - length(path);
   if (path.segments.empty() || left > 1e-9) {
     path.segments.push_back(

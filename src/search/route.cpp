@@ -133,4 +133,19 @@ Path path_of(const Route& route) {
   return {route.start, merged(segments)};
 }
 
+std::vector<Segment> part_of(std::span<const Segment> segments, double begin, double end) {
+  constexpr double crumb = 1e-9;  // what is shorter is left out [m]
+  std::vector<Segment> part;
+  part.reserve(segments.size());
+  double s = 0.0;
+  for (const Segment& segment : segments) {
+    const double length = std::abs(segment.length);
+    const double from = std::clamp(begin - s, 0.0, length);
+    const double to = std::clamp(end - s, 0.0, length);
+    if (to - from > crumb) part.push_back(part_of(segment, from, to));
+    s += length;
+  }
+  return part;
+}
+
 }  // namespace vandplan::search

@@ -62,6 +62,10 @@ void price(const Connector& connector, Route& route);
 /// equal. The cost is not computed.
 [[nodiscard]] Route part_of(const Route& route, double begin, double end);
 
+/// Segments between two driven distances [m]; pieces of a nanometre are left out.
+[[nodiscard]] std::vector<Segment> part_of(std::span<const Segment> segments, double begin,
+                                           double end);
+
 /// Place on a route nearest to `s` where it can be cut [m]. This is `s` if the wheels turn at once,
 /// otherwise a place that `nearest_cut` finds on its pieces.
 [[nodiscard]] double nearest_cut(const Task& task, const Route& route, double s);
