@@ -126,9 +126,8 @@ Place place_behind(const Track& track, Real s) {
   return {i, std::clamp<Real>(s - stretch.s, 0, stretch.length)};
 }
 
-/// What stops are good for: how many of them are where wheels turn at once though the gear stays,
-/// how many where the vehicle stands anyway, how many where a segment begins. The first counts
-/// most.
+/// Three numbers of stops, the first of which counts most: stops where wheels turn at once though
+/// the gear stays, stops where the vehicle stands anyway, stops where a segment begins.
 using Worth = std::array<int, 3>;
 
 /// A place where a via is passed, the last one so far.
@@ -140,8 +139,8 @@ struct Reached {
   std::size_t last = 0;  // number of the place where the via before is passed
 };
 
-/// Finds where a track passes all vias: as many as possible, with stops worth as much as possible,
-/// and those as early as possible.
+/// Finds the places where a track passes its vias. It passes as many vias as possible. Of such
+/// places, the stops are worth as much as possible, and come as early as possible.
 class AllPassings {
  public:
   AllPassings(const Task& task, const Track& track, const Trailing* trailing)
@@ -195,7 +194,7 @@ class AllPassings {
     return best_of(std::move(places));
   }
 
-  /// Those places before which none is worth as much, in their order.
+  /// The places whose stops are worth more than those of every earlier place, in their order.
   [[nodiscard]] static std::vector<Reached> best_of(std::vector<Reached> places) {
     std::ranges::stable_sort(places, [](const Reached& a, const Reached& b) {
       return a.s != b.s ? a.s < b.s : a.worth > b.worth;
