@@ -87,7 +87,7 @@ Problem problem_for(const Wish& wish) {
 
 PlanOptions options_for(const Wish& wish) {
   PlanOptions options;
-  options.budget = {.max_iterations = is_sanitized ? 100 : 2500, .seed = 1};
+  options.budget = {.max_iterations = is_sanitized ? 100 : 1000, .seed = 1};
   if (wish.cost == Cost::length) options.cost = shortest_style;
   if (wish.cost == Cost::time) options.cost.measure = CostMeasure::time;
   options.steering = wish.steering;

@@ -30,7 +30,7 @@ using std::numbers::pi;
 enum class Bodies { truck, rig };
 enum class Minimised { length, driver, time };
 
-PlanOptions limited(AllowedGears gears, std::int64_t iterations = is_sanitized ? 100 : 2000) {
+PlanOptions limited(AllowedGears gears, std::int64_t iterations = is_sanitized ? 100 : 1000) {
   PlanOptions options;
   options.budget.max_iterations = iterations;
   options.cost.gears = gears;
@@ -89,7 +89,7 @@ TEST_P(InOneGear, EverythingIsPlanned) {
   const Problem problem = around_a_wall(who, gears, has_movers);
   PlanOptions options = limited(gears);
   const bool backs_up = who == Bodies::rig && gears == AllowedGears::reverse;
-  if (backs_up && !is_sanitized) options.budget.max_iterations = 30'000;
+  if (backs_up && !is_sanitized) options.budget.max_iterations = 15'000;
   if (cost == Minimised::length) options.style = Style::shortest;
   if (cost == Minimised::time) options.cost.measure = CostMeasure::time;
   options.steering = steering;

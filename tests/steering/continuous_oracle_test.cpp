@@ -17,7 +17,7 @@ namespace {
 /// as the laws allow); the oracle has no words of parts of negative length.
 void expect_as_short(Continuity continuity, std::uint64_t seed) {
   int all = 0, longer = 0, equal = 0;
-  for_each_case(seed, 80, [&](Rng& rng) {
+  for_each_case(seed, 40, [&](Rng& rng) {
     const double ramp = any_size(0.05, 0.6, rng);
     const double reach = chance(0.5, rng) ? 2 : 8;
     const Pose goal = uniform_pose({-reach, reach, -reach, reach}, rng);

@@ -98,7 +98,7 @@ TEST(ContinuousPriced, WordsAreDrivableAndShortEnough) {
 
 TEST(ContinuousPriced, CheapestIsThatOfAllCandidates) {
   int all = 0, equal = 0, near = 0;
-  for_each_case(2, 2000, [&](Rng& rng) {
+  for_each_case(2, 800, [&](Rng& rng) {
     const ContinuousCase c = drawn_case(rng);
     const Prices prices = any_prices(rng);
     const auto shortest = c.steering.steer(c.pair.from, c.pair.to, c.query);
@@ -118,7 +118,7 @@ TEST(ContinuousPriced, CheapestIsThatOfAllCandidates) {
 }
 
 TEST(ContinuousPriced, WithoutGearChangeThereIsOneGear) {
-  for_each_case(3, 2000, [](Rng& rng) {
+  for_each_case(3, 800, [](Rng& rng) {
     ContinuousCase c = drawn_case(rng);
     c.query.start_curvature = c.query.goal_curvature = 0;
     const auto length = c.steering.length(c.pair.from, c.pair.to, c.query);
@@ -169,7 +169,7 @@ TEST(ContinuousPriced, WhatCostsTooMuchIsLeftOut) {
 // By the arcs of Reeds and Shepp the first of all words is the least one nearly always.
 TEST(ContinuousPriced, TheLeastComeFirst) {
   int all = 0, first = 0;
-  for_each_case(6, 2000, [&](Rng& rng) {
+  for_each_case(6, 800, [&](Rng& rng) {
     ContinuousCase c = drawn_case(rng);
     c.query.start_curvature = c.query.goal_curvature = 0;
     const std::vector<Piece> words =

@@ -48,7 +48,7 @@ TEST(Dubins, OneMetreBackNeedsAlmostTwoFullTurns) {
 }
 
 TEST(Dubins, ShortArcsAreNotRoundedUpToFullTurns) {
-  for_each_case(1, 100'000, [](Rng& rng) {
+  for_each_case(1, 40'000, [](Rng& rng) {
     const Pose from = uniform_pose({-50, 50, -50, 50}, rng);
     const double curvature = rng() % 2 == 0 ? 1 / radius : -1 / radius;
     const Segment arc{curvature, uniform(0, 40, rng)};
@@ -59,7 +59,7 @@ TEST(Dubins, ShortArcsAreNotRoundedUpToFullTurns) {
 }
 
 TEST(Dubins, IsTheShortestWordAndEveryWordEndsAtTheGoal) {
-  for_each_case(2, 100'000, [](Rng& rng) {
+  for_each_case(2, 40'000, [](Rng& rng) {
     const Pose from = uniform_pose({-10, 10, -10, 10}, rng);
     const Pose to = uniform_pose({-10, 10, -10, 10}, rng);
     SCOPED_TRACE(as_code(from) + ", " + as_code(to));

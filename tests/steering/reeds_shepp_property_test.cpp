@@ -19,7 +19,7 @@
 namespace vandplan {
 namespace {
 
-constexpr int reeds_shepp_million = 1'000'000;
+constexpr int reeds_shepp_pairs = 400'000;
 
 DrawnPair reeds_shepp_pair(Rng& rng) { return any_pair(radius, rng); }
 
@@ -38,7 +38,7 @@ double tolerance(double length, double shift) {
 }
 
 TEST(ReedsSheppLaw, EndsAtTheGoal) {
-  for_each_pair(1, reeds_shepp_million, reeds_shepp_pair, [](const DrawnPair& pair, Rng&) {
+  for_each_pair(1, reeds_shepp_pairs, reeds_shepp_pair, [](const DrawnPair& pair, Rng&) {
     const Piece piece = reeds_shepp(pair.from, pair.to, radius);
     EXPECT_TRUE(leads(piece, pair.from, pair.to));
     EXPECT_NEAR(length(piece.view()), piece.length, 1e-14 * piece.length + 1e-12) << as_code(pair);
@@ -47,7 +47,7 @@ TEST(ReedsSheppLaw, EndsAtTheGoal) {
 }
 
 TEST(ReedsSheppLaw, TheWayBackIsTheWayThereReversedBitForBit) {
-  for_each_pair(2, reeds_shepp_million, reeds_shepp_pair, [](const DrawnPair& pair, Rng&) {
+  for_each_pair(2, reeds_shepp_pairs, reeds_shepp_pair, [](const DrawnPair& pair, Rng&) {
     const Piece there = reeds_shepp(pair.from, pair.to, radius);
     const Piece back = reversed(reeds_shepp(pair.to, pair.from, radius));
     EXPECT_EQ(there.length, back.length) << as_code(pair);
@@ -57,7 +57,7 @@ TEST(ReedsSheppLaw, TheWayBackIsTheWayThereReversedBitForBit) {
 }
 
 TEST(ReedsSheppLaw, MirroringChangesNothingBitForBit) {
-  for_each_pair(3, reeds_shepp_million, reeds_shepp_pair, [](const DrawnPair& pair, Rng&) {
+  for_each_pair(3, reeds_shepp_pairs, reeds_shepp_pair, [](const DrawnPair& pair, Rng&) {
     const auto mirrored = [](const Pose& p) { return Pose{p.x, -p.y, -p.heading}; };
     EXPECT_EQ(reeds_shepp_length(mirrored(pair.from), mirrored(pair.to), radius),
               reeds_shepp_length(pair.from, pair.to, radius))
@@ -66,7 +66,7 @@ TEST(ReedsSheppLaw, MirroringChangesNothingBitForBit) {
 }
 
 TEST(ReedsSheppLaw, MotionChangesNothing) {
-  for_each_pair(4, reeds_shepp_million, reeds_shepp_pair, [](const DrawnPair& pair, Rng& rng) {
+  for_each_pair(4, reeds_shepp_pairs, reeds_shepp_pair, [](const DrawnPair& pair, Rng& rng) {
     const Pose frame = uniform_pose({-100, 100, -100, 100}, rng);
     const double expected = reeds_shepp_length(pair.from, pair.to, radius);
     EXPECT_NEAR(reeds_shepp_length(compose(frame, pair.from), compose(frame, pair.to), radius),
@@ -76,7 +76,7 @@ TEST(ReedsSheppLaw, MotionChangesNothing) {
 }
 
 TEST(ReedsSheppLaw, LengthScalesWithTheRadius) {
-  for_each_pair(5, reeds_shepp_million, reeds_shepp_pair, [](const DrawnPair& pair, Rng& rng) {
+  for_each_pair(5, reeds_shepp_pairs, reeds_shepp_pair, [](const DrawnPair& pair, Rng& rng) {
     const double scale = std::exp(uniform(-3, 3, rng));
     const auto scaled = [&](const Pose& p) { return Pose{scale * p.x, scale * p.y, p.heading}; };
     const double expected = reeds_shepp_length(pair.from, pair.to, radius);
@@ -87,7 +87,7 @@ TEST(ReedsSheppLaw, LengthScalesWithTheRadius) {
 }
 
 TEST(ReedsSheppLaw, ADetourIsNoShorter) {
-  for_each_pair(6, reeds_shepp_million, reeds_shepp_pair, [](const DrawnPair& pair, Rng& rng) {
+  for_each_pair(6, reeds_shepp_pairs, reeds_shepp_pair, [](const DrawnPair& pair, Rng& rng) {
     const Pose via =
         uniform01(rng) < 0.5
             ? uniform_pose({pair.from.x - 20, pair.from.x + 20, pair.from.y - 20, pair.from.y + 20},
@@ -101,7 +101,7 @@ TEST(ReedsSheppLaw, ADetourIsNoShorter) {
 }
 
 TEST(ReedsSheppLaw, IsNoShorterThanALineOrTheTurnOfTheHeading) {
-  for_each_pair(7, reeds_shepp_million, reeds_shepp_pair, [](const DrawnPair& pair, Rng&) {
+  for_each_pair(7, reeds_shepp_pairs, reeds_shepp_pair, [](const DrawnPair& pair, Rng&) {
     const double length = reeds_shepp_length(pair.from, pair.to, radius);
     const double line = std::hypot(pair.to.x - pair.from.x, pair.to.y - pair.from.y);
     const double turn = std::remainder(pair.to.heading - pair.from.heading, 2 * std::numbers::pi);
@@ -111,7 +111,7 @@ TEST(ReedsSheppLaw, IsNoShorterThanALineOrTheTurnOfTheHeading) {
 }
 
 TEST(ReedsSheppLaw, IsTheLeastOfAllWords) {
-  for_each_pair(8, reeds_shepp_million, reeds_shepp_pair, [](const DrawnPair& pair, Rng&) {
+  for_each_pair(8, reeds_shepp_pairs, reeds_shepp_pair, [](const DrawnPair& pair, Rng&) {
     const double least = least_word(pair);
     // The parts of a listed word are right to 10^-12 rad.
     EXPECT_NEAR(reeds_shepp_length(pair.from, pair.to, radius), least,
@@ -121,7 +121,7 @@ TEST(ReedsSheppLaw, IsTheLeastOfAllWords) {
 }
 
 TEST(ReedsSheppLaw, IsTheLeastOfAllWordsToTheLastBitsForTinyAndForRandomOffsets) {
-  for_each_pair(9, reeds_shepp_million, reeds_shepp_pair, [](const DrawnPair&, Rng& rng) {
+  for_each_pair(9, reeds_shepp_pairs, reeds_shepp_pair, [](const DrawnPair&, Rng& rng) {
     const DrawnPair pair = uniform01(rng) < 0.5 ? tiny_pair(rng) : near_pair(20, rng);
     const double least = least_word(pair);
     EXPECT_NEAR(reeds_shepp_length(pair.from, pair.to, radius), least, 1e-14 * least)
@@ -146,7 +146,7 @@ Range range_of(const steering::reeds_shepp_formulas::Solution& solution) {
 }
 
 TEST(ReedsSheppLaw, TheEndsOfTheChosenWordAreInTheRangeThatMakesItShortest) {
-  for_each_pair(12, reeds_shepp_million, reeds_shepp_pair, [](const DrawnPair&, Rng& rng) {
+  for_each_pair(12, reeds_shepp_pairs, reeds_shepp_pair, [](const DrawnPair&, Rng& rng) {
     const DrawnPair pair = uniform01(rng) < 0.5 ? tiny_pair(rng) : near_pair(20, rng);
     const steering::MeanFrame f = steering::mean_frame(pair.from, pair.to, radius);
     const Range range = range_of(steering::reeds_shepp_formulas::shortest(
@@ -157,7 +157,7 @@ TEST(ReedsSheppLaw, TheEndsOfTheChosenWordAreInTheRangeThatMakesItShortest) {
 }
 
 TEST(ReedsSheppLaw, EveryWordEndsAtTheGoal) {
-  for_each_pair(10, reeds_shepp_million / 10, reeds_shepp_pair, [](const DrawnPair& pair, Rng&) {
+  for_each_pair(10, reeds_shepp_pairs / 10, reeds_shepp_pair, [](const DrawnPair& pair, Rng&) {
     for (const Piece& piece : reeds_shepp_words(pair.from, pair.to, radius)) {
       EXPECT_TRUE(leads(piece, pair.from, pair.to));
     }
@@ -165,7 +165,7 @@ TEST(ReedsSheppLaw, EveryWordEndsAtTheGoal) {
 }
 
 TEST(ReedsSheppLaw, IsAsLongAsTheFormulasOfThePaperSay) {
-  for_each_pair(11, reeds_shepp_million / 4, reeds_shepp_pair, [](const DrawnPair& pair, Rng&) {
+  for_each_pair(11, reeds_shepp_pairs / 4, reeds_shepp_pair, [](const DrawnPair& pair, Rng&) {
     const auto expected =
         static_cast<double>(oracle::reeds_shepp_length(pair.from, pair.to, radius));
     // The paper's formulas lose half of the digits of tiny offsets.
@@ -176,7 +176,7 @@ TEST(ReedsSheppLaw, IsAsLongAsTheFormulasOfThePaperSay) {
 }
 
 TEST(ReedsSheppLaw, IsExactWhereTheFirstLeftCircleIsTheLastRightOne) {
-  for_each_pair(13, reeds_shepp_million / 10, reeds_shepp_pair, [](const DrawnPair&, Rng& rng) {
+  for_each_pair(13, reeds_shepp_pairs / 10, reeds_shepp_pair, [](const DrawnPair&, Rng& rng) {
     const double half_turn = uniform(0, std::numbers::pi / 2, rng);
     const double offset = std::pow(10.0, uniform(-12.0, 0.0, rng));
     const double bearing = uniform(-std::numbers::pi, std::numbers::pi, rng);

@@ -56,7 +56,7 @@ std::string word_of(const Piece& piece) {
 
 TEST(ReedsShepp, ThereAre48WordsAndNoneIsListedTwice) {
   std::set<std::string> all;
-  for_each_case(1, 50'000, [&](Rng& rng) {
+  for_each_case(1, 20'000, [&](Rng& rng) {
     std::set<std::string> here;
     for (const Piece& piece :
          reeds_shepp_words({}, uniform_pose({-50, 50, -50, 50}, rng), radius)) {
@@ -78,7 +78,7 @@ TEST(ReedsShepp, AShiftAcrossIsFourArcsAndCostsFarMoreThanItsWidth) {
 }
 
 TEST(ReedsShepp, BackIsTheSameWayReversed) {
-  for_each_case(2, 100'000, [](Rng& rng) {
+  for_each_case(2, 40'000, [](Rng& rng) {
     const Pose from = uniform_pose({-10, 10, -10, 10}, rng);
     const Pose to = uniform_pose({-10, 10, -10, 10}, rng);
     const Piece there = reeds_shepp(from, to, radius);
@@ -91,7 +91,7 @@ TEST(ReedsShepp, BackIsTheSameWayReversed) {
 }
 
 TEST(ReedsShepp, IsTheShortestWordAndEveryWordEndsAtTheGoal) {
-  for_each_case(3, 20'000, [](Rng& rng) {
+  for_each_case(3, 8000, [](Rng& rng) {
     const Pose from = uniform_pose({-10, 10, -10, 10}, rng);
     const Pose to = uniform_pose({-10, 10, -10, 10}, rng);
     SCOPED_TRACE(as_code(from) + ", " + as_code(to));
