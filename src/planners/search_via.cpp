@@ -135,18 +135,16 @@ class ViaSearch final : public PathSearch {
     leg.via.clear();
     if (via > 0) {
       const ViaNode& from = chain[via - 1];
-      const State& state = from.state;
-      leg.start = Local(state.pose);
-      leg.hitch_angles.start = state.hitch_angle;
+      leg.start = Local(from.state.pose);
+      leg.hitch_angles.start = from.state.hitch_angle;
       leg.curvatures.start = from.curvature;
       leg.beyond.start = from.gear;
       leg.beyond.stands_at_start = from.stands;
     }
     if (via < chain.size()) {
       const ViaNode& to = chain[via];
-      const State& state = to.state;
-      leg.goal = Local(state.pose);
-      leg.hitch_angles.goal = state.hitch_angle;
+      leg.goal = Local(to.state.pose);
+      leg.hitch_angles.goal = to.state.hitch_angle;
       leg.curvatures.goal = to.curvature;
       leg.beyond.goal = to.gear;
       leg.beyond.stands_at_goal = to.stands;

@@ -29,36 +29,6 @@
 namespace vandplan::anytime {
 namespace {
 
-/// Iteration at which the survey begins, if there is a route. Earlier it would delay workers that
-/// gain more.
-constexpr std::int64_t first_survey = 3000;
-/// Iteration at which the glance of a relaxed survey begins. Iterations are slower with continuous
-/// curvature.
-constexpr std::int64_t early_survey = 1000;
-/// Rounds with a route after which the survey begins in any case: all other workers may have ended.
-constexpr std::int64_t rounds_without_work = 64;
-
-/// Rounds in which the way of a table is only bent: it is of the best kind, but crooked.
-constexpr std::int64_t rounds_of_site_way = 16;
-
-/// Rounds with a route before the bound with headings is raised, if a gap is to be proven: boxes of
-/// poses take long to make.
-constexpr std::int64_t first_raise = 24;
-/// Factors of the length prover's share once the best cost hardly falls: by length, by time (rounds
-/// are slow), and with bending (rounds are short).
-constexpr std::int64_t settled_steps = 4;
-constexpr std::int64_t settled_steps_by_time = 16;
-constexpr std::int64_t settled_steps_with_bending = 8;
-
-/// Round from which the wall prover works, if there is no route. Most runs have a route by then.
-/// Over a whole site its steps are slower.
-constexpr std::int64_t first_wall_round = 3;
-constexpr std::int64_t first_wall_round_far = 99;
-/// Steps of the wall prover in a round. Most walls are found in its first rounds.
-constexpr std::int64_t early_wall_steps = 32;
-constexpr std::int64_t late_wall_steps = 3;
-constexpr std::int64_t rounds_of_early_wall_steps = 2;
-
 /// Least length of strokes where seconds have a price beside others [m].
 constexpr double shortest_stroke = 0.1;
 /// Largest additional cost of a finished drive, relative: by its time, or by both prices.
@@ -199,7 +169,7 @@ Share Composer::with_route(const Row& row) const {
   }
   if (has_gap_ || is_warm_) {
     Turn turn = share == 0 ? Turn{} : row.with_gap;
-    if (has_site_way_ && turn.first_round > 0) turn.first_round += rounds_of_site_way;
+    if (has_site_way_ && turn.first_round > 0) turn.first_round += shares::rounds_of_site_way;
     return [turn](const Progress& now) {
       return now.rounds_with_route < turn.first_round ? 0 : turn.share * growth(now.rounds);
     };
@@ -256,9 +226,9 @@ void Composer::add_trees() {
 void Composer::add_length_prover() {
   auto prover = std::make_unique<LengthProver>(task_, rule_.only_gear());
   const Share share_now = share(shares::length_prover);
-  const std::int64_t settled = rule_.is_length() ? settled_steps
-                               : bends_          ? settled_steps_with_bending
-                                                 : settled_steps_by_time;
+  const std::int64_t settled = rule_.is_length() ? shares::settled_steps
+                               : bends_          ? shares::settled_steps_with_bending
+                                                 : shares::settled_steps_by_time;
   Share proofs = [share_now, settled, &prover = *prover](const Progress& now) -> std::int64_t {
     if (!now.has_route || (!now.is_settled && prover.has_work())) return 0;
     return share_now(now) * (now.is_settled ? settled : 1);
@@ -267,7 +237,9 @@ void Composer::add_length_prover() {
   slot.proofs = std::move(proofs);
   if (!has_gap_) return;
   slot.phase = Phase::before;
-  slot.proofs = [](const Progress& now) { return now.rounds_with_route < first_raise ? 0 : 1; };
+  slot.proofs = [](const Progress& now) {
+    return now.rounds_with_route < shares::first_raise ? 0 : 1;
+  };
 }
 
 // [6b] Adds the detours, which have rounds of their own.
@@ -291,8 +263,9 @@ void Composer::add_survey() {
     if (!now.has_route) return 0;
     const Survey* survey = source();
     const bool is_glance = survey == nullptr || survey->is_glance();
-    const bool is_early = now.iterations < (has_relaxed && is_glance ? early_survey : first_survey);
-    if (is_early && now.rounds_with_route < rounds_without_work) return 0;
+    const bool is_early =
+        now.iterations < (has_relaxed && is_glance ? shares::early_survey : shares::first_survey);
+    if (is_early && now.rounds_with_route < shares::rounds_without_work) return 0;
     const std::int64_t first = has_relaxed && is_glance ? shares::first_glance : shares::first_pass;
     const bool is_first = is_glance || survey->is_first_pass();
     return growing_share(is_first ? first : shares::survey.by_prices, now.rounds_with_route);
@@ -309,9 +282,11 @@ void Composer::add_wall_prover() {
                        std::vector<WallProver::Body>{{&task_, "nothing as wide as the vehicle"}},
                        rule_.only_gear()),
                    never);
-  slot.proofs = [first = is_far_ ? first_wall_round_far : first_wall_round](const Progress& now) {
+  slot.proofs = [first = is_far_ ? shares::first_wall_round_far
+                                 : shares::first_wall_round](const Progress& now) {
     if (now.has_route || now.rounds < first) return std::int64_t{0};
-    return now.rounds < first + rounds_of_early_wall_steps ? early_wall_steps : late_wall_steps;
+    return now.rounds < first + shares::rounds_of_early_wall_steps ? shares::early_wall_steps
+                                                                   : shares::late_wall_steps;
   };
 }
 

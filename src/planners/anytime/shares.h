@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// How much of the work does each worker get?
+// How much of the work does each worker get, and when?
 //
 // Reasons for the numbers: docs/lab/anytime.md.
 
@@ -62,6 +62,36 @@ inline constexpr std::int64_t far_detours = 4096;
 /// Trials in a round of "cheapest drive", the worker that compares routes by the cost of the whole
 /// drive.
 inline constexpr std::int64_t cheapest_drive = 192;
+
+/// Iteration at which the survey begins, if there is a route. Earlier it would delay workers that
+/// gain more.
+inline constexpr std::int64_t first_survey = 3000;
+/// Iteration at which the glance of a relaxed survey begins. Iterations are slower with continuous
+/// curvature.
+inline constexpr std::int64_t early_survey = 1000;
+/// Rounds with a route after which the survey begins in any case: all other workers may have ended.
+inline constexpr std::int64_t rounds_without_work = 64;
+
+/// Rounds in which the way of a table is only bent: it is of the best kind, but crooked.
+inline constexpr std::int64_t rounds_of_site_way = 16;
+
+/// Rounds with a route before the bound with headings is raised, if a gap is to be proven: boxes of
+/// poses take long to make.
+inline constexpr std::int64_t first_raise = 24;
+/// Factors of the length prover's share once the best cost hardly falls: by length, by time (rounds
+/// are slow), and with bending (rounds are short).
+inline constexpr std::int64_t settled_steps = 4;
+inline constexpr std::int64_t settled_steps_by_time = 16;
+inline constexpr std::int64_t settled_steps_with_bending = 8;
+
+/// Round from which the wall prover works, if there is no route. Most runs have a route by then.
+/// Over a whole site its steps are slower.
+inline constexpr std::int64_t first_wall_round = 3;
+inline constexpr std::int64_t first_wall_round_far = 99;
+/// Steps of the wall prover in a round. Most walls are found in its first rounds.
+inline constexpr std::int64_t early_wall_steps = 32;
+inline constexpr std::int64_t late_wall_steps = 3;
+inline constexpr std::int64_t rounds_of_early_wall_steps = 2;
 
 }  // namespace shares
 
