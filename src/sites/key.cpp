@@ -146,7 +146,8 @@ void expect_equal(const SiteKey& made_for, const SiteKey& wanted) {
     refuse("another world: bounds, obstacles, maps or zones differ");
   if (made_for.vehicle != wanted.vehicle)
     refuse("another vehicle: its body, radius or trailer differs");
-  if (made_for.prices != wanted.prices) refuse("other options: prices, gears or margin differ");
+  if (made_for.prices != wanted.prices)
+    refuse("other options: prices (style), gears or margin differ");
 }
 
 }  // namespace vandplan::sites

@@ -361,7 +361,7 @@ TEST_F(TableCommand, OfASiteGuidesSearches) {
             "vandplan: site: is for estimate=site or max_with=site\n");
   EXPECT_EQ(planned({"hybrid-a-star:site", "--site", table, "--set", "reverse_weight=3"}).err,
             "vandplan: " + table +
-                ": the table was made for other options: prices, gears or margin differ\n");
+                ": the table was made for other options: prices (style), gears or margin differ\n");
 }
 
 TEST_F(TableCommand, OfASiteIsRefusedElsewhere) {
@@ -378,9 +378,10 @@ TEST_F(TableCommand, OfASiteIsRefusedElsewhere) {
   EXPECT_EQ(planned({}).status, 0);
   const Outcome dearer = planned({"--set", "reverse_weight=3"});
   EXPECT_EQ(dearer.status, 2);
-  EXPECT_EQ(dearer.err, "vandplan: " + table +
-                            ": the table was made for other options: prices, gears or margin "
-                            "differ\n");
+  EXPECT_EQ(dearer.err,
+            "vandplan: " + table +
+                ": the table was made for other options: prices (style), gears or margin "
+                "differ\n");
   const std::string bytes = content_of(table);
   write_content(table, bytes.substr(0, bytes.size() - 1));
   EXPECT_EQ(planned({}).err, "vandplan: " + table +

@@ -225,7 +225,7 @@ TEST(SiteEstimate, IsRefusedForAnotherWorldGoalOrPrices) {
     EXPECT_EQ(told(other_goal, table), "site: the table has no such goal, expected one of its 1")
         << planner.name;
     EXPECT_EQ(told(problem, by_prices),
-              "site: the table was made for other options: prices, gears or margin differ")
+              "site: the table was made for other options: prices (style), gears or margin differ")
         << planner.name;
   }
 }

@@ -48,15 +48,15 @@ TEST(SiteRefusal, IsRefusedForAnotherWorldVehicleOrPrices) {
   PlanOptions other = drivers_options();
   other.cost.reverse_weight = 3;
   EXPECT_EQ(told(problem, other),
-            "site: the table was made for other options: prices, gears or margin differ");
+            "site: the table was made for other options: prices (style), gears or margin differ");
   other = drivers_options();
   other.clearance.margin = 0.1;
   EXPECT_EQ(told(problem, other),
-            "site: the table was made for other options: prices, gears or margin differ");
+            "site: the table was made for other options: prices (style), gears or margin differ");
   EXPECT_EQ(told(problem_of({20, 0, 0}, {0, 1, 0}, wall, area), drivers_options()),
             "site: the table has no such goal, expected one of its 1");
   EXPECT_EQ(refusal([&] { table.expect_made_for(problem, other); }),
-            "site: the table was made for other options: prices, gears or margin differ");
+            "site: the table was made for other options: prices (style), gears or margin differ");
 }
 
 TEST(SiteRefusal, IsRefusedWithOtherZones) {
