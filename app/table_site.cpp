@@ -118,11 +118,6 @@ int threads_of(int jobs) {
   return std::clamp(jobs > 0 ? jobs : processors, 1, 256);
 }
 
-SiteTable read_site_table(const std::string& file) {
-  const auto bytes = std::make_shared<const std::string>(read_file(file, largest_site_table));
-  return site_table_from_bytes(bytes, file == "-" ? "standard input" : file);
-}
-
 void print_site_table(const std::string& file, bool json) {
   const SiteTable table = read_site_table(file);
   const Bounds box = table.bounds();

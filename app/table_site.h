@@ -23,9 +23,6 @@ void add_jobs(CLI::App& command, int& jobs, const char* about);
 /// Number of threads for so many jobs; 0: one per processor.
 [[nodiscard]] int threads_of(int jobs);
 
-/// The table of a file. Throws InputError naming the file if it is not such a table.
-[[nodiscard]] SiteTable read_site_table(const std::string& file);
-
 /// Prints what the table of a file holds. Throws InputError naming the file if it is not such a
 /// table.
 void print_site_table(const std::string& file, bool json);

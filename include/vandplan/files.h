@@ -13,6 +13,7 @@
 #include "vandplan/graphs.h"
 #include "vandplan/planner.h"
 #include "vandplan/problem.h"
+#include "vandplan/site_table.h"
 
 namespace vandplan {
 
@@ -29,6 +30,12 @@ namespace vandplan {
 /// naming the file if it is foreign, truncated, altered, or longer than it says. No more is read
 /// than its head promises.
 [[nodiscard]] std::string read_table_file(const std::string& file);
+
+/// The table of a site in a file (site_table.h), checked; "-" is standard input. The table looks
+/// into the file as long as it lives, so that many processes share one copy in memory. Replace such
+/// a file, as `write_file` does; do not write over it. Throws InputError naming the file if it is
+/// foreign, truncated, altered, or of another version.
+[[nodiscard]] SiteTable read_site_table(const std::string& file);
 
 /// Throws InputError naming the file if `write_file` cannot write it, as far as can be told
 /// beforehand.

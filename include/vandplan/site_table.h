@@ -78,7 +78,7 @@ class SiteTable {
   [[nodiscard]] const sites::SiteData& data() const noexcept { return *data_; }
 
  private:
-  friend SiteTable site_table_from_bytes(std::shared_ptr<const std::string> bytes,
+  friend SiteTable site_table_from_bytes(std::string_view bytes, std::shared_ptr<const void> owner,
                                          const std::string& file);
   explicit SiteTable(std::shared_ptr<const sites::SiteData> data);
 
@@ -142,9 +142,11 @@ struct SiteCost {
 inline constexpr std::size_t largest_site_table = static_cast<std::size_t>(
     std::min(std::uint64_t{1} << 34, std::uint64_t{std::numeric_limits<std::size_t>::max()}));
 
-/// The table that `site_table_to_bytes` wrote; it keeps the bytes. Throws InputError naming `file`
-/// if the bytes are foreign, truncated, altered, or of another version.
-[[nodiscard]] SiteTable site_table_from_bytes(std::shared_ptr<const std::string> bytes,
+/// The table that `site_table_to_bytes` wrote. It looks into the bytes where they lie, and keeps
+/// their owner. Throws InputError naming `file` if the bytes are foreign, truncated, altered, or of
+/// another version.
+[[nodiscard]] SiteTable site_table_from_bytes(std::string_view bytes,
+                                              std::shared_ptr<const void> owner,
                                               const std::string& file);
 
 }  // namespace vandplan

@@ -3,6 +3,7 @@
 #include "io/input_file.h"
 
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -74,6 +75,15 @@ std::optional<std::size_t> InputFile::size() const {
   struct stat status {};
   if (::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
   return static_cast<std::size_t>(status.st_size);
+}
+
+std::optional<FileBytes> InputFile::mapped() const {
+  const std::size_t bytes = size().value_or(0);
+  if (descriptor_ == STDIN_FILENO || bytes == 0) return std::nullopt;
+  void* const begin = ::mmap(nullptr, bytes, PROT_READ, MAP_PRIVATE, descriptor_, 0);
+  if (begin == MAP_FAILED) return std::nullopt;
+  return FileBytes{{static_cast<const char*>(begin), bytes},
+                   {begin, [bytes](void* all) { ::munmap(all, bytes); }}};
 }
 
 void InputFile::expect_at_most(std::size_t size, std::size_t largest) const {

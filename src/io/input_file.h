@@ -4,12 +4,19 @@
 // How are the bytes of a file read, as a whole or in parts?
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
 namespace vandplan::io {
+
+/// Bytes, and what keeps them.
+struct FileBytes {
+  std::string_view bytes;
+  std::shared_ptr<const void> owner;
+};
 
 /// File open for reading; "-" is standard input.
 class InputFile {
@@ -28,6 +35,9 @@ class InputFile {
   bool append_to(std::string& content, std::size_t largest);
   /// Number of bytes of a regular file; empty for other files.
   [[nodiscard]] std::optional<std::size_t> size() const;
+  /// Bytes of a regular file, where they lie: what nobody looks at is not read. None if the file
+  /// cannot be looked into, as standard input cannot.
+  [[nodiscard]] std::optional<FileBytes> mapped() const;
   /// Throws InputError if `size` is more than `largest` bytes.
   void expect_at_most(std::size_t size, std::size_t largest) const;
 

@@ -165,20 +165,19 @@ std::optional<SiteEntry> SiteData::find(const SiteLayer& layer,
   if (!is_inside) return std::nullopt;
   const std::int64_t cell = std::int64_t{state.row} * grid.columns + state.column;
   const auto pair = static_cast<std::uint64_t>(cell * grid.headings + state.heading);
-  const std::string_view all = *bytes;
   const auto word_at = static_cast<std::size_t>(layer.at + pair / bits_of_word * word_size);
-  const auto word = read_at<std::uint64_t>(all, word_at);
+  const auto word = read_at<std::uint64_t>(bytes, word_at);
   const std::uint64_t bit = std::uint64_t{1} << pair % bits_of_word;
   if ((word & bit) == 0) return std::nullopt;
   const auto before = static_cast<std::uint64_t>(std::popcount(word & (bit - 1)));
-  const std::uint64_t place = read_at<std::uint32_t>(all, word_at + 8) + before;
+  const std::uint64_t place = read_at<std::uint32_t>(bytes, word_at + 8) + before;
   if (place >= layer.count) return std::nullopt;
   const auto pair_at =
       static_cast<std::size_t>(layer.at + words_of(grid) * word_size + place * pair_size);
   const std::size_t gear = state.gear > 0 ? 0 : 1;
-  const auto cost = read_at<std::uint16_t>(all, pair_at + 2 * gear);
+  const auto cost = read_at<std::uint16_t>(bytes, pair_at + 2 * gear);
   if (cost == unreached) return std::nullopt;
-  SiteEntry entry = entry_of(read_at<std::uint8_t>(all, pair_at + 4 + gear), layer, state);
+  SiteEntry entry = entry_of(read_at<std::uint8_t>(bytes, pair_at + 4 + gear), layer, state);
   entry.cost = layer.unit * cost;
   entry.place = static_cast<std::size_t>(place);
   return entry;
@@ -265,15 +264,16 @@ std::string site_to_bytes(const SiteKey& key, const SiteGrid& grid, std::vector<
   return bytes.replace(checksum_at, sum.size(), sum);
 }
 
-SiteData site_from_bytes(std::shared_ptr<const std::string> bytes, const std::string& file) {
-  check_head(*bytes, file);
+SiteData site_from_bytes(std::string_view all, std::shared_ptr<const void> owner,
+                         const std::string& file) {
+  check_head(all, file);
   SiteData data{
-      .key = {read_at<std::uint64_t>(*bytes, key_at), read_at<std::uint64_t>(*bytes, key_at + 8),
-              read_at<std::uint64_t>(*bytes, key_at + 16)},
-      .grid = grid_in(*bytes, file),
+      .key = {read_at<std::uint64_t>(all, key_at), read_at<std::uint64_t>(all, key_at + 8),
+              read_at<std::uint64_t>(all, key_at + 16)},
+      .grid = grid_in(all, file),
       .layers = {},
-      .bytes = std::move(bytes)};
-  const std::string_view all = *data.bytes;
+      .bytes = all,
+      .owner = std::move(owner)};
   const auto goals = read_at<std::uint64_t>(all, goals_at);
   std::uint64_t size = head_size + std::min(goals, most_goals) * goal_size;
   if (goals <= most_goals && size <= all.size()) {

@@ -93,12 +93,13 @@ struct SiteLayer {
 /// The step by an arc in a gear, as the vehicle drives it.
 [[nodiscard]] Segment site_step(const SiteGrid& grid, int gear, int arc) noexcept;
 
-/// A table: its head, and the bytes of the whole file.
+/// A table: its head, and the bytes of the whole file, where they lie.
 struct SiteData {
   SiteKey key;
   SiteGrid grid;
   std::vector<SiteLayer> layers;
-  std::shared_ptr<const std::string> bytes;
+  std::string_view bytes;
+  std::shared_ptr<const void> owner;  ///< keeps the bytes
 
   /// The entry of a state; none if it was not reached, or lies outside.
   [[nodiscard]] std::optional<SiteEntry> find(const SiteLayer& layer,
@@ -126,7 +127,7 @@ struct SiteRecord {
 
 /// The table in a file. Throws InputError naming `file` if it is foreign, truncated, altered, or of
 /// another version.
-[[nodiscard]] SiteData site_from_bytes(std::shared_ptr<const std::string> bytes,
+[[nodiscard]] SiteData site_from_bytes(std::string_view bytes, std::shared_ptr<const void> owner,
                                        const std::string& file);
 
 }  // namespace vandplan::sites

@@ -214,9 +214,9 @@ std::optional<SiteTable> make_site_table(const Problem& problem, std::span<const
     return std::nullopt;
   }
   const sites::SiteKey key = sites::site_key(*problem.world(), problem.vehicle(), options);
-  return site_table_from_bytes(
-      std::make_shared<const std::string>(sites::site_to_bytes(key, grid, layers, numbers)),
-      "site");
+  auto bytes =
+      std::make_shared<const std::string>(sites::site_to_bytes(key, grid, layers, numbers));
+  return site_table_from_bytes(*bytes, bytes, "site");
 }
 
 Bounds SiteTable::bounds() const noexcept {
@@ -294,13 +294,12 @@ std::vector<SiteCost> site_matrix(const SiteTable& table, const Problem& problem
   return costs;
 }
 
-std::string_view site_table_to_bytes(const SiteTable& table) noexcept {
-  return *table.data().bytes;
-}
+std::string_view site_table_to_bytes(const SiteTable& table) noexcept { return table.data().bytes; }
 
-SiteTable site_table_from_bytes(std::shared_ptr<const std::string> bytes, const std::string& file) {
+SiteTable site_table_from_bytes(std::string_view bytes, std::shared_ptr<const void> owner,
+                                const std::string& file) {
   return SiteTable(
-      std::make_shared<const SiteData>(sites::site_from_bytes(std::move(bytes), file)));
+      std::make_shared<const SiteData>(sites::site_from_bytes(bytes, std::move(owner), file)));
 }
 
 }  // namespace vandplan

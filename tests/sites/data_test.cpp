@@ -31,7 +31,7 @@ std::string damaged(const std::function<void(std::string&)>& damage) {
   auto bytes = std::make_shared<std::string>(site_table_to_bytes(small_table()));
   damage(*bytes);
   try {
-    (void)site_table_from_bytes(bytes, "s.vst");
+    (void)site_table_from_bytes(*bytes, bytes, "s.vst");
   } catch (const InputError& error) {
     return error.what();
   }
@@ -40,7 +40,7 @@ std::string damaged(const std::function<void(std::string&)>& damage) {
 
 TEST(SiteTableFile, ReadsBackWhatWasWritten) {
   const auto bytes = std::make_shared<const std::string>(site_table_to_bytes(small_table()));
-  const SiteTable table = site_table_from_bytes(bytes, "s.vst");
+  const SiteTable table = site_table_from_bytes(*bytes, bytes, "s.vst");
   EXPECT_EQ(table.goals(), small_table().goals());
   EXPECT_EQ(table.rounding(0), small_table().rounding(0));
   EXPECT_EQ(table.cost({9, 4, 1}, 0), small_table().cost({9, 4, 1}, 0));

@@ -90,11 +90,7 @@ std::optional<Path> way_of(const SiteTable& self, const CheckedScenario& scenari
   return way->path;
 }
 
-SiteTable read_table(const FileOfTable& file) {
-  const std::string name = file.string();
-  return site_table_from_bytes(
-      std::make_shared<const std::string>(read_file(name, largest_site_table)), name);
-}
+SiteTable read_table(const FileOfTable& file) { return read_site_table(file.string()); }
 
 py::tuple matrix(const CheckedScenario& scenario, const py::object& starts, const py::object& goals,
                  int jobs, const py::kwargs& keywords) {
@@ -149,7 +145,8 @@ The options are those of `plan`. Raises InputError if the table was made for som
       .def(py::pickle(
           [](const SiteTable& self) { return py::bytes(std::string(site_table_to_bytes(self))); },
           [](const py::bytes& state) {
-            return site_table_from_bytes(std::make_shared<const std::string>(state), "site");
+            const auto bytes = std::make_shared<const std::string>(state);
+            return site_table_from_bytes(*bytes, bytes, "site");
           }));
 }
 
