@@ -533,6 +533,27 @@ TEST(RigPlanning, DrivesForwardOnOpenGroundWhereThatIsCheaper) {
   EXPECT_LT(result.cost, 56.1);
 }
 
+// A drive that backs up by a metre is found sooner, and no search among both gears leads away from
+// it.
+TEST(RigPlanning, DrivesAroundWhereBackingUpIsDear) {
+  Scenario yard{.vehicle = drawbar(), .bounds = {-40, 40, -40, 40}};
+  yard.start = {-8.59, 0.57, 2.81};
+  yard.goal = {9.51, 12.53, -1.886};
+  yard.obstacles = {{{-2.54, -17.27}, {2.47, -21.41}, {4.19, -19.33}, {-0.83, -15.19}},
+                    {{-30.06, 7.65}, {-29.84, 5.59}, {-25.01, 6.11}, {-25.23, 8.17}},
+                    {{26.13, -24.3}, {28.56, -24.2}, {28.51, -23.1}, {26.08, -23.2}},
+                    {{8.79, -27.62}, {13.33, -30.68}, {16.74, -25.64}, {12.2, -22.57}},
+                    {{18.2, 27.21}, {14.03, 36.43}, {11.29, 35.19}, {15.47, 25.97}}};
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    PlanOptions options = with_iterations(is_sanitized ? 100 : 8000, seed);
+    options.cost = driver_style;
+    options.cost.reverse_weight = 33.7;
+    const PlanResult result = plan(make_problem(yard), options);
+    ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+    if (!is_sanitized) EXPECT_LT(result.cost, 76) << seed;
+  }
+}
+
 // Prices decide what is cheap, and not whether and when there is a path.
 TEST(RigPlanning, TheFirstPathComesAsSoonUnderAnyPrices) {
   Scenario scenario{.vehicle = semitrailer(), .bounds = {-60, 60, -2, 14}};

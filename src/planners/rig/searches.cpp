@@ -37,23 +37,17 @@ CostOptions helpful_prices(const CostOptions& cost) {
   return options;
 }
 
-/// Prices that lead to other kinds of drive: they hardly reverse.
-CostOptions forward_prices(const CostOptions& cost) {
-  CostOptions options = helpful_prices(cost);
-  options.reverse_weight = 1000.0;
-  options.gear_change_cost = 100.0;
-  return options;
-}
-
 }  // namespace
 
 Searches::Searches(std::shared_ptr<const Setting> setting, std::span<const Kind> kinds,
                    std::vector<const Task*> tasks)
     : setting_(std::move(setting)),
-      rules_{setting_->pricing.rule(), search::cost_rule(helpful_prices(setting_->options.cost)),
-             setting_->pricing.rule(), search::cost_rule(forward_prices(setting_->options.cost))},
+      rules_{setting_->pricing.rule(), search::cost_rule(helpful_prices(setting_->options.cost))},
       tasks_(std::move(tasks)) {
   for (const Kind& kind : kinds) lines_.push_back({.kind = kind});
+  std::ranges::transform(rules_, forward_rules_.begin(), [](const CostRule& rule) {
+    return search::restricted(rule, AllowedGears::forward);
+  });
 }
 
 // Begins a search in place of one that has ended or found a drive. It is finer each time. Until one
@@ -64,11 +58,12 @@ void Searches::begin(Line& line) {
   const std::size_t later = setting_->pricing.counts_time() ? 0 : shift % rules_.size();
   const std::size_t rule = has_found_ ? later : line.kind.first_price;
   line.task = has_found_ ? shift % tasks_.size() : 0;
-  line.has_prices_in_force = rule % 2 == 0;
+  line.has_prices_in_force = rule == 0;
   const std::size_t grown = std::min(round, most_rounds);
   const double step = line.kind.step * std::pow(finer, grown % finer_rounds);
+  const bool is_forward = line.kind.is_forward && setting_->pricing.rule().allows_both();
   line.search.emplace(
-      *tasks_[line.task], rules_[rule], setting_->guides,
+      *tasks_[line.task], is_forward ? forward_rules_[rule] : rules_[rule], setting_->guides,
       Fineness{.step = setting_->unit * step,
                .weight = round % 2 == 0 ? line.kind.weight : 1 + line.kind.weight / 4,
                .levels = line.kind.levels,

@@ -26,6 +26,7 @@ struct Kind {
   std::int64_t share;       ///< expansions in a turn
   std::size_t first_price;  ///< index of the prices until one of the lines has found a drive
   std::size_t first_turn;   ///< index of the first prices and wheels after that
+  bool is_forward = false;  ///< whether the searches drive forward alone, if both gears are allowed
 };
 
 /// Lines of searches that take turns. In each line, one search follows another with smaller steps,
@@ -55,7 +56,8 @@ class Searches final : public ChainSource {
   void end(Line& line);
 
   std::shared_ptr<const Setting> setting_;
-  std::array<search::CostRule, 4> rules_;
+  std::array<search::CostRule, 2> rules_;          // prices in force, helpful ones
+  std::array<search::CostRule, 2> forward_rules_;  // the same, driving forward alone
   std::vector<const Task*> tasks_;
   std::vector<Line> lines_;
   std::size_t turn_ = 0;    // index of the line whose turn it is
