@@ -287,10 +287,10 @@ struct Smoothed {
 /// worse by these options: it costs no more, and strokes shorter than `min_stroke` become no
 /// shorter in total.
 ///
-/// With a set of goals, the goal is the one at which the path ends. If it ends at none, the goal is
-/// its own end: the status is `solved` all the same, and `result.goal` is none. Past vias each leg
-/// is smoothed, and vias slide along their sets. A run without a limit of time or iterations takes
-/// `default_time_limit`.
+/// With a set of goals, the goal is the one at which the path ends; a path that ends at none is
+/// `rejected`. What leads to the straight last stretch that the goal asks for is smoothed. Past
+/// vias each leg is smoothed, and vias slide along their sets. A run without a limit of time or
+/// iterations takes `default_time_limit`.
 ///
 /// Throws InputError as `plan` does, also naming "moving" if there are moving obstacles, and "path"
 /// if it has a number that is not finite.

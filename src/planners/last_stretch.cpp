@@ -33,14 +33,11 @@ Path without_end(const Path& path, double length) {
 
 class WithLine final : public PathSearch {
  public:
-  WithLine(const Task& task, const PlanOptions& options, double time_price, const Path* known,
-           const SearchTo& search_to)
+  /// `begin`: begins the search for the way to the line.
+  template <class Begin>
+  WithLine(const Task& task, const PlanOptions& options, double time_price, const Begin& begin)
       : line_(line_of(task)), before_(before_line(task)), pricing_(task, options.cost, time_price) {
-    if (is_there(before_)) return;
-    const std::optional<Path> way =
-        known == nullptr ? std::nullopt
-                         : std::optional(without_end(*known, std::abs(task.last_stretch)));
-    search_ = search_via(before_, options, time_price, way ? &*way : nullptr, search_to);
+    if (!is_there(before_)) search_ = begin(before_);
   }
 
   bool advance(std::int64_t most) override { return search_ && search_->advance(most); }
@@ -134,7 +131,22 @@ std::unique_ptr<PathSearch> search_with_line(const Task& task, const PlanOptions
   if (task.last_stretch == 0.0) {
     return search_via(task, options, time_price, known, search_to);
   }
-  return std::make_unique<WithLine>(task, options, time_price, known, search_to);
+  const auto begin = [&](const Task& before) {
+    std::optional<Path> way;
+    if (known != nullptr) way = without_end(*known, std::abs(task.last_stretch));
+    return search_via(before, options, time_price, way ? &*way : nullptr, search_to);
+  };
+  return std::make_unique<WithLine>(task, options, time_price, begin);
+}
+
+std::unique_ptr<PathSearch> search_with_line(const Task& task, const PlanOptions& options,
+                                             const PathPastVias& along, const SearchTo& search_to) {
+  if (task.last_stretch == 0.0) return search_via(task, options, along, search_to);
+  const auto begin = [&](const Task& before) {
+    const Path way = without_end(along.path, std::abs(task.last_stretch));
+    return search_via(before, options, {way, along.passed}, search_to);
+  };
+  return std::make_unique<WithLine>(task, options, 0.0, begin);
 }
 
 }  // namespace vandplan::planning

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "planners/path_search.h"
+#include "planners/search_via.h"
 #include "vandplan/path.h"
 #include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
@@ -34,6 +35,13 @@ namespace vandplan::planning {
 [[nodiscard]] std::unique_ptr<PathSearch> search_with_line(const Task& task,
                                                            const PlanOptions& options,
                                                            double time_price, const Path* known,
+                                                           const SearchTo& search_to);
+
+/// A search for paths that pass the vias of `task` as `along` does at first, and end with its
+/// straight line. Throughout like the other `search_with_line`.
+[[nodiscard]] std::unique_ptr<PathSearch> search_with_line(const Task& task,
+                                                           const PlanOptions& options,
+                                                           const PathPastVias& along,
                                                            const SearchTo& search_to);
 
 }  // namespace vandplan::planning

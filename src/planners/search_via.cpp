@@ -394,6 +394,7 @@ std::unique_ptr<PathSearch> search_via(const Task& task, const PlanOptions& opti
 
 std::unique_ptr<PathSearch> search_via(const Task& task, const PlanOptions& options,
                                        const PathPastVias& along, const SearchTo& search_to) {
+  if (task.via.empty()) return search_to(task, options, &along.path);
   return std::make_unique<ViaSearch>(task, options, 0.0, &along, search_to);
 }
 

@@ -22,7 +22,8 @@ struct PathPastVias {
 };
 
 /// A search for paths that pass the vias of `task` as `along` does at first. Its legs begin with
-/// those of `along`, other legs with a neighbour's. Throughout like the other `search_via`.
+/// those of `along`, other legs with a neighbour's. Without vias it is the search of `search_to`,
+/// which begins with that path. Throughout like the other `search_via`.
 [[nodiscard]] std::unique_ptr<PathSearch> search_via(const Task& task, const PlanOptions& options,
                                                      const PathPastVias& along,
                                                      const SearchTo& search_to);

@@ -9,11 +9,13 @@
 #include <optional>
 #include <utility>
 
+#include "planners/along_path.h"
 #include "planners/anytime/chain.h"
 #include "planners/anytime/finish.h"
 #include "planners/anytime/shorten.h"
 #include "planners/commands/shorten_drive.h"
 #include "planners/commands/wheels.h"
+#include "planners/last_stretch.h"
 #include "planners/options.h"
 #include "planners/pricing.h"
 #include "planners/rig/softer_wheels.h"
@@ -214,18 +216,17 @@ PlannerAnswer Smoother::answer() {
   return answer;
 }
 
-/// Smooths a path past vias leg by leg. In turn with that, vias slide along their sets where that
-/// makes it cheaper.
-PlannerAnswer smoothed_past_vias(const Task& task, const PlanOptions& options,
-                                 const planning::PathPastVias& along, SmoothMethod method) {
-  Task to_goal = task;
+/// Smooths a path leg by leg: past vias, and up to the straight line that ends it, `last_stretch`
+/// of the task. In turn with that, vias slide along their sets where that makes it cheaper.
+PlannerAnswer smoothed_by_legs(Task to_goal, const PlanOptions& options,
+                               const planning::PathPastVias& along, SmoothMethod method) {
   to_goal.goal_set.clear();
   const planning::SearchTo smoother_of = [&](const Task& leg, const PlanOptions& of_leg,
                                              const Path* known) {
     const Path& old = known != nullptr ? *known : along.path;
     return std::make_unique<Smoother>(leg, of_leg, Path{leg.start, old.segments}, method);
   };
-  const auto search = planning::search_via(to_goal, options, along, smoother_of);
+  const auto search = planning::search_with_line(to_goal, options, along, smoother_of);
   Budget budget(options.budget);
   const bool is_optimised = method == SmoothMethod::optimised;
   while (!budget.exhausted() && (is_optimised || !search->path())) {
@@ -251,37 +252,16 @@ void expect_finite(const Path& path) {
   if (!is_finite) throw InputError("path", "holds a number that is not finite");
 }
 
-/// The problem with one goal in place of its set: the goal of the set where the path ends, or else
-/// the end of the path.
-Problem to_end_of(const Problem& problem, const Path& path) {
-  if (problem.goal_set().empty() || !problem.task().moving.empty()) return problem;
-  State end{path.start, problem.hitch_angles().start};
-  for (const Segment& segment : path.segments) end = advance(problem.vehicle(), end, segment);
-  const std::optional<ReachedGoal> goal = check_path(problem, path).goal;
-  const double curvature = goal ? problem.goal_set()[goal->index].curvature : 0.0;
-  const Problem one = make_problem(
-      problem.world(), problem.vehicle(), problem.start(), goal ? goal->pose : end.pose,
-      {problem.curvatures().start, curvature}, {problem.hitch_angles().start, end.hitch_angle});
-  return problem.via().empty() ? one : with_via(one, problem.via());
-}
-
-/// Driven distances to the vias of a problem, as far as the path passes them.
-std::vector<double> passed_along(const Problem& problem, const Path& path) {
-  std::vector<double> passed;
-  const std::vector<PassedVia> via = check_path(problem, path).via;
-  passed.reserve(via.size());
-  for (const PassedVia& there : via) passed.push_back(there.s);
-  return passed;
-}
-
-/// `smoother` of a path past the vias of a problem, at these distances.
-Planner smoother_past_vias(const Path& path, std::vector<double> passed, SmoothMethod method) {
+/// `smoother` of a path, leg by leg.
+Planner smoother_by_legs(const Path& path, const planning::Along& along, SmoothMethod method) {
   Planner planner = smoother(path, method);
   planner.properties.capabilities.add(Capability::goal_sets);  // the end of the path
   planner.properties.capabilities.add(Capability::via);
-  planner.function = [path, passed = std::move(passed), method](const Task& task,
-                                                                const PlanOptions& options) {
-    return smoothed_past_vias(task, options, {{task.start, path.segments}, passed}, method);
+  planner.function = [path, passed = along.passed, last_stretch = along.last_stretch, method](
+                         const Task& task, const PlanOptions& options) {
+    Task to_goal = task;
+    to_goal.last_stretch = last_stretch;
+    return smoothed_by_legs(to_goal, options, {{task.start, path.segments}, passed}, method);
   };
   return planner;
 }
@@ -343,12 +323,11 @@ PlanOptions smooth_options(std::span<const Setting> scenario, std::span<const Se
 Smoothed smooth(const Problem& of_set, const Path& path, SmoothMethod method,
                 const PlanOptions& options) {
   expect_finite(path);
-  const Problem problem = to_end_of(of_set, path);
-  const std::vector<double> passed = passed_along(problem, path);
-  const bool passes_vias = !passed.empty() && passed.size() == problem.via().size();
-  const Planner planner =
-      passes_vias ? smoother_past_vias(path, passed, method) : smoother(path, method);
-  const Problem planned = passes_vias ? problem : with_via(problem, {});
+  const planning::Along along = planning::along_path(of_set, path);
+  const Problem& problem = along.problem;
+  const bool has_legs = !along.passed.empty() || along.last_stretch != 0.0;
+  const Planner planner = has_legs ? smoother_by_legs(path, along, method) : smoother(path, method);
+  const Problem planned = along.passed.empty() ? with_via(problem, {}) : problem;
   Smoothed smoothed{.result = plan(planned, planner, options)};
   smoothed.options = complete(planner, options, problem.vehicle());
   const auto& [clearance, steering] =
@@ -369,7 +348,7 @@ Smoothed smooth(const Problem& of_set, const Path& path, SmoothMethod method,
     result.goal = check.goal;
     result.via = check.via;
     if (check.valid) return;
-    // The smoothed path ends at the goal, but not straight.
+    // The given path did not end straight, nor does the smoothed one.
     result.status = PlanStatus::rejected;
     result.reason = std::move(check.reason);
     result.path.reset();

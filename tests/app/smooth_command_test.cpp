@@ -66,6 +66,18 @@ TEST_F(SmoothCommand, KeepsAResultWithoutAPath) {
   EXPECT_EQ(Json::parse(content_of(smoothed_))["status"], "no_path");
 }
 
+TEST_F(SmoothCommand, EndsWithTheStraightLineThatTheGoalAsksFor) {
+  write_content(scenario_, replaced(yard(), "x: 20, y: 5, heading: 0",
+                                    "x: 20, y: 5, heading: 0, straight: 4"));
+  const Outcome planned =
+      run_vandplan({"plan", scenario_, "--set", "style=shortest", "--set", "steering=reeds-shepp",
+                    "--max-iterations", "600", "--output", result_});
+  ASSERT_EQ(planned.status, 0) << planned.err;
+  const Outcome outcome = smooth({"--output", smoothed_});
+  EXPECT_NE(outcome.out.find("smoothed: length"), std::string::npos) << outcome.out;
+  EXPECT_EQ(run_vandplan({"check", scenario_, smoothed_}).status, 0);
+}
+
 /// The scenario with options of its own.
 std::string yard_that_wants(const std::string& options) {
   return yard() + "options: {" + options + "}\n";

@@ -294,6 +294,72 @@ TEST(SmoothDoor, KeepsTheOrderOfVias) {
   EXPECT_LE(smoothed.result.cost, planned.cost);
 }
 
+TEST(SmoothDoor, SmoothsUpToAStraightLastStretch) {
+  const Problem alone = problem_of({0, 0, 0}, {40, 10, 0}, {});
+  const PlanOptions options = iterations(3000, Steering::continuous_between_stops);
+  GoalRegion dock = region_of_pose({40, 10, 0});
+  dock.straight = 8;
+  const Problem problem = with_goal_set(alone, {dock});
+  const Problem detour = with_via(problem, {{{region_of_pose({20, 25, 0})}}});
+  const PlanResult planned = plan(detour, options);
+  if (is_sanitized && !planned.path) return;
+  ASSERT_TRUE(planned.path) << planned.reason;
+  for (const SmoothMethod method : {SmoothMethod::clothoids, SmoothMethod::optimised}) {
+    const Smoothed smoothed = smooth(problem, *planned.path, method, options);
+    ASSERT_EQ(smoothed.result.status, PlanStatus::solved) << smoothed.result.reason;
+    EXPECT_TRUE(smoothed.result.goal);
+    EXPECT_LE(smoothed.result.cost, planned.cost);
+    if (is_sanitized || method == SmoothMethod::clothoids) continue;
+    EXPECT_FALSE(smoothed.is_given);
+    EXPECT_LE(smoothed.result.cost, 1.001 * plan(problem, options).cost);
+    const Smoothed past_via = smooth(detour, *planned.path, method, options);
+    EXPECT_EQ(past_via.result.via.size(), 1U) << past_via.result.reason;
+  }
+}
+
+// The given path bends up to the goal, in the gear in which the line is driven, too.
+TEST(SmoothDoor, StraightensTheLastStretch) {
+  const PlanOptions options = iterations(3000, Steering::continuous_between_stops);
+  for (const double gear : {1.0, -1.0}) {
+    GoalRegion dock = region_of_pose({gear * 40, 10, 0});
+    const Problem alone = problem_of({0, 0, 0}, {gear * 40, 10, 0}, {});
+    PlanOptions bent = iterations(2000, Steering::reeds_shepp);
+    bent.cost.gears = gear > 0 ? AllowedGears::forward : AllowedGears::reverse;
+    const PlanResult planned = plan(alone, bent);
+    if (is_sanitized && !planned.path) return;
+    ASSERT_TRUE(planned.path) << planned.reason;
+    dock.straight = 6;
+    const Problem problem = with_goal_set(alone, {dock});
+    ASSERT_FALSE(check_path(problem, *planned.path).valid);
+    const Smoothed smoothed = smooth(problem, *planned.path, SmoothMethod::optimised, options);
+    if (is_sanitized && !smoothed.result.path) return;
+    ASSERT_TRUE(smoothed.result.path) << smoothed.result.reason;
+    EXPECT_TRUE(check_path(problem, *smoothed.result.path).valid);
+    EXPECT_GT(gear * smoothed.result.path->segments.back().length, 5.999);
+  }
+}
+
+TEST(SmoothDoor, IsNeverWorseBeforeAStraightLastStretch) {
+  int better = 0;
+  for_each_case(7, 24, [&](Rng& rng) {
+    Problem problem =
+        rng() % 2 == 0 ? random_problem_to_smooth(rng) : random_problem_past_vias(rng);
+    if (rng() % 4 == 0) {
+      problem = problem_of(uniform_pose({-15, 15, -15, 15}, rng), {0, 0, 0}, {}, {-60, 60, -60, 60},
+                           semitrailer());
+    }
+    GoalRegion dock = region_of_pose(problem.goal());
+    dock.straight = uniform(0.5, 12, rng);
+    dock.either_way = rng() % 2 == 0;
+    problem = with_goal_set(problem, {dock});
+    const PlanOptions options = random_options(rng);
+    for (const SmoothMethod method : {SmoothMethod::clothoids, SmoothMethod::optimised}) {
+      if (expect_no_worse(problem, options, method, 1000)) ++better;
+    }
+  });
+  EXPECT_GE(better, cases(24) / 4);
+}
+
 /// A truck that drives 40 m along a wall.
 Problem along_wall(double distance) {
   const double half_width = Vehicle{}.width / 2;

@@ -40,6 +40,15 @@ def test_the_path_ends_at_the_cheapest_goal():
     assert vp.plan(scenario_to((30, 0, 0)), max_iterations=100).goal is None
 
 
+def test_a_path_is_smoothed_up_to_its_straight_end():
+    dock = scenario_to(vp.GoalRegion(40, 10, 0, straight=8))
+    arcs = vp.plan(dock, max_iterations=1000, style="shortest", steering="reeds-shepp")
+    smooth = vp.smooth(dock, arcs, max_iterations=1000)
+    assert smooth and smooth.goal.index == 0 and smooth.path != arcs.path
+    assert smooth.path.segments[-1, 0] == 0
+    assert vp.check(dock, smooth)
+
+
 def test_scenarios_keep_their_sets():
     region = vp.GoalRegion(30, 0, (-0.1, 0.1))
     scenario = scenario_to(region)
