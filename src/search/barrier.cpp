@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "geometry/boxes.h"
 #include "geometry/polygon.h"
@@ -16,45 +15,30 @@ namespace {
 constexpr double coarsest_cell = 0.5;  // [m]
 constexpr double finest_cell = 0.05;   // [m]
 constexpr double most_barrier_cells = 4e6;
-constexpr double slack_of_edges = 2e-3;       // of places; larger than all tolerances [m]
-constexpr double slack_of_ends = 2e-6;        // of a path's ends; larger than the judge's [m]
-constexpr double slack_of_directions = 1e-5;  // larger than the judge's [rad]
+constexpr double slack_of_edges = 2e-3;  // of places; larger than all tolerances [m]
+constexpr double slack_of_ends = 2e-6;   // of a path's ends; larger than the judge's [m]
 constexpr int cells_of_step = 64;
 constexpr std::uint8_t both_floods = 3, known_open = 4, known_closed = 8;
-
-/// Whether none of the directions has the sense: all point the other way.
-bool bars_sense(const HeadingRange& allowed, int sense) {
-  const double half = width(allowed) / 2;
-  const double off = std::abs(wrap_angle(allowed.from + half - sense * std::numbers::pi / 2));
-  return off - half > std::numbers::pi / 2 + slack_of_directions;
-}
 
 }  // namespace
 
 // Where a way leaves the box around all that counts, each of its places can be moved to the nearest
 // one of the box, where there are no rules and obstacles.
 Barrier::Barrier(const Task& task, GearSign only)
-    : task_(task), clearance_(inner_radius(task.vehicle)) {
+    : task_(task),
+      clearance_(inner_radius(task.vehicle)),
+      one_way_(task.world->local().zones, {0.0, clearance_}, task.vehicle.min_turning_radius) {
   const Surroundings& ground = task.world->local();
   const Point ends[] = {{task.start.x, task.start.y}, {task.goal.x, task.goal.y}};
   Bounds scene = bounding_box(ends);
   for (const Zone& zone : ground.zones) {
     const AllowedGears wrong = only > 0 ? AllowedGears::reverse : AllowedGears::forward;
-    Rule rule{zone.area,
-              bounding_box(zone.area),
-              zone.body ? clearance_ : 0.0,
-              zone.closed || (only != 0 && zone.gears == wrong),
-              {}};
-    if (zone.direction) {
-      for (int sense = 0; sense < 4; ++sense) {
-        rule.bars[static_cast<std::size_t>(sense)] = bars_sense(*zone.direction, sense);
-      }
-    }
-    if (!rule.is_closed && std::ranges::find(rule.bars, true) == rule.bars.end()) continue;
-    scene = geometry::united(scene, rule.box);
-    rules_.push_back(std::move(rule));
+    if (!zone.closed && (only == 0 || zone.gears != wrong)) continue;
+    closed_.push_back({zone.area, zone.body ? clearance_ : 0.0});
+    scene = geometry::united(scene, bounding_box(zone.area));
   }
-  if (rules_.empty()) return;
+  for (const Bounds& street : one_way_.boxes()) scene = geometry::united(scene, street);
+  if (closed_.empty() && one_way_.is_empty()) return;
   for (const Polygon& obstacle : ground.obstacles)
     scene = geometry::united(scene, bounding_box(obstacle));
   if (ground.map) scene = geometry::united(scene, bounding_box(outline(*ground.map)));
@@ -119,8 +103,8 @@ bool Barrier::find_open(std::int64_t cell) {
   }
   const Point middle = middle_of(cell);
   const double most = -side_ * std::sqrt(0.5) - slack_of_edges;
-  return std::none_of(rules_.begin(), rules_.end(), [&](const Rule& rule) {
-    return rule.is_closed && geometry::distance_from_border(rule.area, middle) <= rule.near + most;
+  return std::none_of(closed_.begin(), closed_.end(), [&](const ClosedArea& closed) {
+    return geometry::distance_from_border(closed.area, middle) <= closed.near + most;
   });
 }
 
@@ -137,12 +121,7 @@ bool Barrier::is_barred(std::int64_t cell, int side, int sense) const {
   constexpr std::array<Point, 4> towards = {Point{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
   const Point& to = towards[static_cast<std::size_t>(side)];
   const Point middle = middle_of(cell);
-  const Point place{middle.x + to.x * side_ / 2, middle.y + to.y * side_ / 2};
-  return std::any_of(rules_.begin(), rules_.end(), [&](const Rule& rule) {
-    return rule.bars[static_cast<std::size_t>(sense)] &&
-           geometry::distance_from_border(rule.area, place) <=
-               rule.near - side_ / 2 - slack_of_edges;
-  });
+  return one_way_.bars({middle.x + to.x * side_ / 2, middle.y + to.y * side_ / 2}, side_, sense);
 }
 
 /// Expands a cell of a flood. True when the floods meet.

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "search/one_way.h"
 #include "search/open_rows.h"
 #include "vandplan/problem.h"
 #include "vandplan/search.h"
@@ -34,14 +35,6 @@ class Barrier {
 
  private:
   enum End : std::uint8_t { start, goal };
-  /// Rule of a zone. Senses of crossing: 0 is along x, then quarters of a turn.
-  struct Rule {
-    Polygon area;
-    Bounds box;
-    double near;  // Distance from the area at which the vehicle surely is in it [m].
-    bool is_closed;
-    std::array<bool, 4> bars;  // Whether it bars each sense.
-  };
 
   [[nodiscard]] bool next_lattice();
   [[nodiscard]] bool root(End end, const LocalPose& pose);
@@ -52,10 +45,11 @@ class Barrier {
   [[nodiscard]] bool expand(End end);
 
   const Task& task_;
-  std::vector<Rule> rules_;
   Bounds box_ = {};
   double side_ = 0.0;       // Side of a cell [m]; 0: nothing is left to do.
   double clearance_ = 0.0;  // Least distance of the rear axle from obstacles [m].
+  std::vector<ClosedArea> closed_;
+  OneWay one_way_;
   std::int64_t columns_ = 0, rows_ = 0;
   bool uses_obstacles_ = false;
   OpenRows open_rows_;

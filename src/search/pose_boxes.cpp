@@ -20,6 +20,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double slack = 1e-5;        // Slack of lengths [m]; larger than the judge's and rounding.
 constexpr double angle_slack = 2e-6;  // Slack of headings [rad]; larger than the judge's.
+constexpr double end_slack = 2e-6;    // Slack of a path's ends [m]; larger than the judge's.
 constexpr double curvature_slack = 1e-9;  // Relative slack of the curvature, as the judge allows.
 // Headings for a reach of the body as long as a cell's side.
 constexpr double headings_of_cell = 4.0;
@@ -80,6 +81,7 @@ PoseBoxes::PoseBoxes(const Task& task, double side, double longest, GearSign onl
                                              {.wanted = task.least_margin});
   }
 
+  one_way_ = OneWay(task.world->local().zones, disc_, task.vehicle.min_turning_radius);
   const OpenRows lattice(task, box_, part, near, closed_areas(task, disc_, only));
   columns_of_row_ = (lattice.columns() + parts - 1) / parts;
   rows_ = (lattice.rows() + parts - 1) / parts;
@@ -116,7 +118,7 @@ PoseBoxes::Id PoseBoxes::column_at(std::int32_t x, std::int32_t y) {
              static_cast<std::size_t>(x)];
   if (index >= 0) return static_cast<Id>(index);
   index = static_cast<std::int32_t>(columns_.size());
-  Column column{x, y, {infinity, 0.0}, {infinity, 0.0}, infinity};
+  Column column{x, y, {infinity, 0.0}, {infinity, 0.0}, infinity, {}, {}};
   for (int i = 0; i < parts * parts; ++i) {
     const int row = i / parts;
     const Point part{parts * x + i % parts + 0.5, parts * y + row + 0.5};
@@ -131,9 +133,24 @@ PoseBoxes::Id PoseBoxes::column_at(std::int32_t x, std::int32_t y) {
     column.from_start.most = std::max(column.from_start.most, from_start.most);
     column.to_goal.most = std::max(column.to_goal.most, to_goal.most);
   }
+  if (!one_way_.is_empty()) bar_sides(column);
   columns_.push_back(column);
   length_bounds_.resize(columns_.size() * headings_, -1.0F);
   return static_cast<Id>(index);
+}
+
+void PoseBoxes::bar_sides(Column& column) const {
+  const Point middle{box_.x_min + (column.x + 0.5) * side_, box_.y_min + (column.y + 0.5) * side_};
+  const double half = side_ / 2;
+  const std::array<Point, 4> sides = {Point{middle.x + half, middle.y},
+                                      {middle.x, middle.y + half},
+                                      {middle.x - half, middle.y},
+                                      {middle.x, middle.y - half}};
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const int sense = static_cast<int>(i);
+    column.bars_out[i] = one_way_.bars(sides[i], side_, sense);
+    column.bars_in[i] = one_way_.bars(sides[i], side_, (sense + 2) % 4);
+  }
 }
 
 PoseBoxes::Id PoseBoxes::box_of(const Pose& pose) {
@@ -148,20 +165,26 @@ PoseBoxes::Id PoseBoxes::box_of(const Pose& pose) {
   return column * headings_ + heading % headings_;
 }
 
-std::array<PoseBoxes::Id, 6> PoseBoxes::neighbours(Id box) {
+std::array<PoseBoxes::Id, 4> PoseBoxes::boxes_of_end(const Pose& pose) {
+  const double off = one_way_.is_empty() ? 0.0 : end_slack;
+  return {box_of({pose.x - off, pose.y - off, pose.heading}),
+          box_of({pose.x - off, pose.y + off, pose.heading}),
+          box_of({pose.x + off, pose.y - off, pose.heading}),
+          box_of({pose.x + off, pose.y + off, pose.heading})};
+}
+
+std::array<PoseBoxes::Id, 6> PoseBoxes::neighbours(Id box, bool is_onward) {
   const Id heading = box % headings_;
-  const auto [x, y, from_start, to_goal, in_all] = columns_[box / headings_];
+  const Column column = columns_[box / headings_];
+  const std::array<bool, 4>& is_barred = is_onward ? column.bars_out : column.bars_in;
   const Id first = box - heading;
-  const auto beside = [&](std::int32_t to_x, std::int32_t to_y) {
+  const auto beside = [&](std::size_t side, std::int32_t to_x, std::int32_t to_y) {
     const bool is_there = to_x >= 0 && to_x < columns_of_row_ && to_y >= 0 && to_y < rows_;
-    return is_there ? column_at(to_x, to_y) * headings_ + heading : box;
+    return is_there && !is_barred[side] ? column_at(to_x, to_y) * headings_ + heading : box;
   };
-  return {beside(x - 1, y),
-          beside(x + 1, y),
-          beside(x, y - 1),
-          beside(x, y + 1),
-          first + (heading + 1) % headings_,
-          first + (heading + headings_ - 1) % headings_};
+  return {beside(2, column.x - 1, column.y), beside(0, column.x + 1, column.y),
+          beside(3, column.x, column.y - 1), beside(1, column.x, column.y + 1),
+          first + (heading + 1) % headings_, first + (heading + headings_ - 1) % headings_};
 }
 
 /// Lower bound on a path in the one gear between an end and a pose of the box, on open ground [m].

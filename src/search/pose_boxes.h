@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "search/geodesic_field.h"
+#include "search/one_way.h"
 #include "vandplan/problem.h"
 #include "vandplan/search.h"
 
@@ -53,8 +54,12 @@ class PoseBoxes {
 
   /// Box that contains a pose of the task.
   [[nodiscard]] Id box_of(const Pose& pose);
-  /// The six boxes that share a face with a box; the box itself where the lattice ends.
-  [[nodiscard]] std::array<Id, 6> neighbours(Id box);
+  /// Boxes in which paths may begin or end at a pose of the task, as far as the judge's tolerance
+  /// tells. Without one-way streets it does not matter which, and there is one.
+  [[nodiscard]] std::array<Id, 4> boxes_of_end(const Pose& pose);
+  /// The six boxes that share a face with a box; the box itself where the lattice ends, or where no
+  /// path crosses the face: `is_onward`: from the box, else into it.
+  [[nodiscard]] std::array<Id, 6> neighbours(Id box, bool is_onward);
   /// Lower bound on the length of all paths through a box [m]; infinite if it is closed.
   [[nodiscard]] float length_lower_bound(Id box);
   /// Number of boxes so far, above all their ids. Neighbours add boxes.
@@ -89,9 +94,12 @@ class PoseBoxes {
     std::int32_t x, y;
     Range from_start, to_goal;  // Ways of the disc's centre [m]; infinite if closed.
     double in_all;              // Lower bound on the sum of both ways [m].
+    // Whether one-way streets bar each side of the cell: along x, then quarters of a turn.
+    std::array<bool, 4> bars_out, bars_in;
   };
 
   [[nodiscard]] Id column_at(std::int32_t x, std::int32_t y);
+  void bar_sides(Column& column) const;
   [[nodiscard]] double turning_length(const Pose& end, const Pose& middle, bool is_start) const;
   [[nodiscard]] double length_in_gear(const Pose& end, const Pose& middle, bool is_start) const;
   [[nodiscard]] bool is_hit(const Pose& middle) const;
@@ -106,6 +114,7 @@ class PoseBoxes {
   double longest_;  // Longest paths of interest [m].
   GearSign only_;   // Gear of all paths; 0: both.
   Bounds box_;
+  OneWay one_way_;
   Id headings_;
   double half_turn_ = 0.0;  // Half an interval of headings [rad].
   double shift_ = 0.0;      // Largest distance of a rear axle in a box from that of its middle [m].

@@ -41,8 +41,8 @@ void PoseFlood::begin_floods() {
   levels_ = {};
   open_ = {};
   reached_.clear();
-  reach(boxes_->box_of(task_.start), 0, PoseCut::none);
-  reach(boxes_->box_of(task_.goal), 1, PoseCut::none);
+  for (const PoseBoxes::Id box : boxes_->boxes_of_end(task_.start)) reach(box, 0, PoseCut::none);
+  for (const PoseBoxes::Id box : boxes_->boxes_of_end(task_.goal)) reach(box, 1, PoseCut::none);
 }
 
 void PoseFlood::reach(PoseBoxes::Id box, std::size_t flood, PoseCut::Index by) {
@@ -76,7 +76,9 @@ bool PoseFlood::spread(std::size_t flood) {
   }
   constexpr std::uint8_t both = 3;
   if (reached_[entry.box] == both || boxes_->is_full()) return false;
-  for (const PoseBoxes::Id box : boxes_->neighbours(entry.box)) reach(box, flood, entry.by);
+  for (const PoseBoxes::Id box : boxes_->neighbours(entry.box, flood == 0)) {
+    reach(box, flood, entry.by);
+  }
   return true;
 }
 

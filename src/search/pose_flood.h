@@ -5,6 +5,7 @@
 //
 // A path leads from box to box of poses (pose_boxes.h); none of its boxes may need a longer path.
 // Two floods, from the start and from the goal, always expand the reached box of the least length.
+// They enter boxes only in senses that one-way streets leave open (one_way.h).
 // No path is shorter than the largest length that a flood has expanded. If all paths pass a narrow
 // place, boxes near it get a better bound (pose_cut.h). Proof: docs/proofs/anytime_bounds.md.
 

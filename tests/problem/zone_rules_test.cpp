@@ -332,6 +332,27 @@ TEST(ProofsOfZones, NoPathLeadsAgainstAOneWayStreet) {
   EXPECT_NE(status_of(with_gate({both})), PlanStatus::no_path);
 }
 
+// Backwards through the gate the direction of travel is the same.
+TEST(ProofsOfZones, NoPathBacksAgainstAOneWayStreet) {
+  const Zone street{.area = box(18, -9, 22, 9), .direction = HeadingRange{pi - 1, pi + 1}};
+  for (const AllowedGears gears :
+       {AllowedGears::both, AllowedGears::forward, AllowedGears::reverse}) {
+    Scenario scenario = with_gate({street});
+    if (gears == AllowedGears::reverse) scenario.start.heading = scenario.goal.heading = pi;
+    EXPECT_EQ(status_of(scenario, gears), PlanStatus::no_path);
+    scenario.zones.front().direction = HeadingRange{-1, 1};
+    EXPECT_NE(status_of(scenario, gears), PlanStatus::no_path);
+  }
+}
+
+// Beside the street there is room for the axle, but not for the body.
+TEST(ProofsOfZones, AOneWayStreetIsWiderForTheBody) {
+  Zone street{.area = box(18, -7, 22, 7), .direction = HeadingRange{pi - 1, pi + 1}};
+  EXPECT_NE(status_of(with_gate({street})), PlanStatus::no_path);
+  street.body = true;
+  EXPECT_EQ(status_of(with_gate({street})), PlanStatus::no_path);
+}
+
 TEST(ProofsOfZones, NoPathLeadsThroughAGateOfTheOtherGear) {
   const Zone gate{.area = box(18, -9, 22, 9), .gears = AllowedGears::reverse};
   EXPECT_EQ(status_of(with_gate({gate}), AllowedGears::forward), PlanStatus::no_path);

@@ -16,6 +16,7 @@
 #include "../support/draws.h"
 #include "../support/grids.h"
 #include "../support/problems.h"
+#include "search/barrier.h"
 #include "search/geodesic.h"
 #include "search/geodesic_field.h"
 #include "vandplan/planner.h"
@@ -117,6 +118,39 @@ void add_zones_beside(const Path& path, const Vehicle& vehicle, search::GearSign
     more.zones.push_back(zone);
     const CollisionChecker checker(vehicle, more, {});
     if (checker.is_free(Local(path.start), path.segments)) around = std::move(more);
+  }
+}
+
+/// One-way streets that the path keeps to, if just so.
+void add_streets_beside(const Path& path, const Vehicle& vehicle, Surroundings& around, Rng& rng) {
+  const std::vector<PathPoint> points = sampled(path, 0.1);
+  for (int i = 0; i < 40; ++i) {
+    const PathPoint& near = points[rng() % points.size()];
+    const double x = near.pose.x, y = near.pose.y;
+    const double middle = chance(0.4, rng) ? std::numbers::pi / 2 * static_cast<double>(rng() % 4)
+                                           : near.pose.heading + uniform(-1.5, 1.5, rng);
+    const double half = uniform(0, 1.5, rng);
+    const auto corner = [&](double from_x, double from_y) {
+      return Point{x + from_x * uniform(0.02, 6, rng), y + from_y * uniform(0.02, 6, rng)};
+    };
+    Zone zone{.area = {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)},
+              .direction = HeadingRange{middle - half, middle + half},
+              .body = chance(0.4, rng)};
+    if (chance(0.5, rng))
+      zone.area = box(x - uniform(0, 5, rng), y - uniform(0, 5, rng), x + 3, y + 3);
+    const auto is_free = [&](const Zone& street) {
+      Surroundings more = around;
+      more.zones.push_back(street);
+      return CollisionChecker(vehicle, more, {}).is_free(Local(path.start), path.segments);
+    };
+    if (!is_free(zone)) continue;
+    // It grows, as long as the path is free.
+    for (double by = 4; by > 1e-4 && i < 10; by /= 2) {
+      Zone wider = zone;
+      for (Point& p : wider.area) p = {x + (1 + by) * (p.x - x), y + (1 + by) * (p.y - y)};
+      if (is_free(wider)) zone = std::move(wider);
+    }
+    around.zones.push_back(std::move(zone));
   }
 }
 
@@ -389,6 +423,59 @@ TEST(PoseFlood, IsBelowPathsThatKeepToZones) {
     raised += geodesic.bound() > blind.bound() + 1e-3 ? 1 : 0;
   });
   EXPECT_GT(raised, cases(300) / 20);
+}
+
+// What bars a sense of crossing bars no path that keeps to it, however near its edge the path is.
+TEST(PoseFlood, IsBelowPathsThatKeepToStreets) {
+  int raised = 0;
+  for_each_case(8, 300, [&](Rng& rng) {
+    const Vehicle vehicle = small_vehicle(rng);
+    const search::GearSign only = chance(0.5, rng) ? 0 : chance(0.5, rng) ? 1 : -1;
+    const double radius = vehicle.min_turning_radius;
+    const double turn = chance(0.3, rng) ? std::numbers::pi / 2 * static_cast<double>(rng() % 4)
+                                         : uniform(-3.2, 3.2, rng);
+    const Path path{{uniform(-9, 9, rng), uniform(-9, 9, rng), turn},
+                    only == 0 ? shunting(radius, rng) : driven_on(radius, only, rng)};
+    Surroundings around = just_beside(path, vehicle, {}, rng);
+    if (chance(0.7, rng)) around.obstacles.clear();
+    add_streets_beside(path, vehicle, around, rng);
+    const Problem problem = problem_in(around, path.start, end_pose(path), vehicle);
+    const double least = length(path);
+    const double bound = flood_bound(problem.task(), 1.1 * least, 500, only);
+    ASSERT_LE(bound, least * (1 + 1e-9)) << as_code(path);
+    search::Barrier barrier(problem.task(), only);
+    while (barrier.step()) {
+    }
+    ASSERT_FALSE(barrier.is_proven()) << as_code(path);
+    around.zones.clear();
+    const Problem without = problem_in(around, path.start, end_pose(path), vehicle);
+    raised += bound > flood_bound(without.task(), 1.1 * least, 500, only) + 1e-3 ? 1 : 0;
+  });
+  EXPECT_GE(raised, cases(300) / 150);
+}
+
+// A block with a street on either side; the nearer one leads the other way.
+TEST(PoseFlood, KnowsThatAOneWayStreetIsDrivenRound) {
+  Surroundings around{.bounds = {-5, 35, -3, 15}, .obstacles = {box(4, 3, 26, 9)}};
+  const double detour = 43;
+  for (const bool is_against : {false, true}) {
+    const double way = is_against ? std::numbers::pi : 0.0;
+    for (const bool body : {false, true}) {
+      around.zones = {{.area = box(10, body ? -2.5 : -4, 20, body ? 1.5 : 4),
+                       .direction = HeadingRange{way - 1, way + 1},
+                       .body = body}};
+      for (const bool turned : {false, true}) {
+        const double heading = turned ? std::numbers::pi : 0.0;
+        const Problem problem = problem_in(around, {0, 0, heading}, {30, 0, heading}, car);
+        for (const search::GearSign only : {0, turned ? -1 : 1}) {
+          const double bound = flood_bound(problem.task(), 50, 10000, only);
+          EXPECT_GT(bound, is_against ? 0.97 * detour : 29.9) << only;
+          if (only != 0) continue;
+          EXPECT_LT(bound, is_against ? 50 : 30.1);
+        }
+      }
+    }
+  }
 }
 
 // Parking beside the start: in both gears that is short, in one gear it takes a loop.

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "search/one_way.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "geometry/polygon.h"
+
+namespace vandplan::search {
+namespace {
+
+constexpr double slack_of_sides = 2e-3;       // of places; larger than all tolerances [m]
+constexpr double slack_of_directions = 1e-5;  // larger than the judge's [rad]
+
+/// Whether none of the directions has the sense: all point the other way, by more than `slack`
+/// [rad].
+bool bars_sense(const HeadingRange& allowed, int sense, double slack) {
+  const double half = width(allowed) / 2;
+  const double off = std::abs(wrap_angle(allowed.from + half - sense * std::numbers::pi / 2));
+  return off - half > std::numbers::pi / 2 + slack;
+}
+
+bool is_near(const Bounds& box, const Point& p, double near) {
+  return box.x_min - near <= p.x && p.x <= box.x_max + near && box.y_min - near <= p.y &&
+         p.y <= box.y_max + near;
+}
+
+}  // namespace
+
+// While the rear axle moves on by a metre, the centre moves by as much, and to the side by up to
+// its distance from the axle over the radius.
+OneWay::OneWay(const std::vector<Zone>& zones, const Disc& disc, double radius) {
+  const double slack = slack_of_directions + std::atan(std::abs(disc.ahead) / radius);
+  for (const Zone& zone : zones) {
+    if (!zone.direction) continue;
+    const double near = zone.body ? disc.radius : -std::abs(disc.ahead);
+    Street street{zone.area, bounding_box(zone.area), near, {}};
+    for (int sense = 0; sense < 4; ++sense) {
+      street.bars[static_cast<std::size_t>(sense)] = bars_sense(*zone.direction, sense, slack);
+    }
+    const auto& bars = street.bars;
+    if (std::any_of(bars.begin(), bars.end(), [](bool is_barred) { return is_barred; })) {
+      streets_.push_back(std::move(street));
+    }
+  }
+}
+
+std::vector<Bounds> OneWay::boxes() const {
+  std::vector<Bounds> boxes;
+  boxes.reserve(streets_.size());
+  for (const Street& street : streets_) boxes.push_back(street.box);
+  return boxes;
+}
+
+bool OneWay::bars(const Point& middle, double length, int sense) const {
+  return std::any_of(streets_.begin(), streets_.end(), [&](const Street& street) {
+    return street.bars[static_cast<std::size_t>(sense)] &&
+           is_near(street.box, middle, std::max(street.near, 0.0)) &&
+           geometry::distance_from_border(street.area, middle) <=
+               street.near - length / 2 - slack_of_sides;
+  });
+}
+
+}  // namespace vandplan::search

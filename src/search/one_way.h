@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#pragma once
+// Which sides of a lattice's cells can be crossed in one sense only?
+//
+// In a one-way street that none of whose directions has a sense, every metre leads the other way.
+// If the street contains all of a side, with some room, no path crosses the side in that sense.
+
+#include <array>
+#include <vector>
+
+#include "search/open_rows.h"
+#include "vandplan/collision.h"
+
+namespace vandplan::search {
+
+/// The one-way streets of a ground, as far as they bar a sense of crossing. Senses: 0 is along x,
+/// then quarters of a turn.
+class OneWay {
+ public:
+  OneWay() = default;
+  /// For the centre of a disc in a body that turns with `radius` [m] at the tightest.
+  OneWay(const std::vector<Zone>& zones, const Disc& disc, double radius);
+
+  /// Boxes around the areas of the streets.
+  [[nodiscard]] std::vector<Bounds> boxes() const;
+  [[nodiscard]] bool is_empty() const noexcept { return streets_.empty(); }
+  /// Whether the disc's centre cannot cross a side of a cell in a sense. `middle`, `length`: of the
+  /// side.
+  [[nodiscard]] bool bars(const Point& middle, double length, int sense) const;
+
+ private:
+  struct Street {
+    Polygon area;
+    Bounds box;                // Around the area.
+    double near;               // Distance from the area at which the rules surely hold [m].
+    std::array<bool, 4> bars;  // Whether it bars each sense.
+  };
+  std::vector<Street> streets_;
+};
+
+}  // namespace vandplan::search
