@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "search/open_rows.h"
@@ -40,7 +41,11 @@ bool is_one_place(const GoalRegion* region) {
 }  // namespace
 
 LegBounds::LegBounds(const Task& task, const Pricing& pricing, std::int64_t work)
-    : pricing_(pricing), vehicle_(task.vehicle), rule_(pricing.rule()), work_(work) {
+    : pricing_(pricing),
+      vehicle_(task.vehicle),
+      via_(task.via),
+      rule_(pricing.rule()),
+      work_(work) {
   // By length, bounds hold for exact ends.
   const steering::Closing off = rule_.is_length() ? steering::Closing{} : steering::judged;
   if (pricing.counts_time()) rule_ = search::length_rule(rule_);
@@ -143,6 +148,13 @@ double LegBounds::run(const Leg& leg, std::size_t first, std::size_t last) const
   const double in_gear = gear > 0 ? leg.ground.forward : leg.ground.reverse;
   const double all = rule_.weight(gear) * std::max(in_gear, leg.around);
   return rule_.allows_both() ? std::min(all, mixed + 2 * rule_.gear_change_cost) : all;
+}
+
+/// Length of a leg in the gears that are allowed.
+double LegBounds::length(const Leg& leg) const {
+  const double least = std::max(leg.ground.shortest, leg.around);
+  if (least <= 0.0 || rule_.allows_both()) return least;
+  return std::max(least, rule_.allows(1) ? leg.ground.forward : leg.ground.reverse);
 }
 
 /// Goes on along a leg from a stop that is reached in either gear. A leg without a metre has none.
@@ -261,13 +273,38 @@ void LegBounds::halve(std::size_t stage, std::size_t stop) {
   rows.push_back(std::move(last));
 }
 
+/// Lower bounds of the lengths of the moves between the places where the vehicle stands: each of
+/// its own legs, and of the longest all that is left of the bound.
+// The fastest drive of a move takes a time that is concave in its length. So metres that may be in
+// any move cost least in the longest one: time(l + x) - time(l) falls with l.
+std::vector<double> LegBounds::moves() const {
+  std::vector<double> moves;
+  std::vector<double> reached(stages_.front().size(), 0.0);
+  for (std::size_t i = 0; i < legs_.size(); ++i) {
+    std::vector<double> next(stages_[i + 1].size(), no_chain);
+    for (std::size_t from = 0; from < reached.size(); ++from) {
+      for (std::size_t to = 0; to < next.size(); ++to) {
+        next[to] = std::min(next[to], reached[from] + length(legs_[i][from][to]));
+      }
+    }
+    reached = std::move(next);
+    const bool is_goal = i + 1 == legs_.size();
+    if (!is_goal && !via_[i].stop) continue;
+    moves.push_back(*std::min_element(reached.begin(), reached.end()));
+    std::fill(reached.begin(), reached.end(), 0.0);
+  }
+  const double all = std::accumulate(moves.begin(), moves.end(), 0.0);
+  *std::max_element(moves.begin(), moves.end()) += std::max(least_ - all, 0.0);
+  return moves;
+}
+
 double LegBounds::least() {
   while (!is_settled_) {
     work_ -= find_chain();
     is_settled_ = work_ <= 0 || least_ == no_chain || !improve_chain();
   }
   if (!pricing_.counts_time() || least_ == no_chain) return least_;
-  return pricing_.cost_lower_bound(least_, least_);
+  return pricing_.cost_lower_bound(moves(), least_);
 }
 
 }  // namespace vandplan::planning

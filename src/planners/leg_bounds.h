@@ -58,14 +58,17 @@ class LegBounds {
   void add_stops(const Task& task, const std::vector<GoalRegion>& regions, bool is_goal);
   [[nodiscard]] Leg blunt_leg(const Stop& from, const Stop& to) const;
   void sharpen(Leg& leg, const Stop& from, const Stop& to) const;
+  [[nodiscard]] double length(const Leg& leg) const;
   [[nodiscard]] double run(const Leg& leg, std::size_t first, std::size_t last) const;
   void go_on(const Leg& leg, const Gears& before, std::size_t from, Gears& reached) const;
   std::int64_t find_chain();
   bool improve_chain();
   void halve(std::size_t stage, std::size_t stop);
+  [[nodiscard]] std::vector<double> moves() const;
 
   const Pricing& pricing_;
   const Vehicle& vehicle_;
+  const std::vector<Via>& via_;
   search::CostRule rule_;
   std::vector<std::vector<Stop>> stages_;            // start, vias, goal
   std::vector<std::vector<std::vector<Leg>>> legs_;  // between a stage and the next, of each pair

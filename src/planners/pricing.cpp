@@ -98,9 +98,12 @@ std::function<double(std::span<const Segment>)> Pricing::measure() const {
   };
 }
 
-double Pricing::cost_lower_bound(double length, double priced) const {
+double Pricing::cost_lower_bound(std::span<const double> lengths, double priced) const {
   if (!counts_time()) return priced;
-  const double time = drive_time_lower_bound(task_.vehicle, prices_, length);
+  double time = 0.0;
+  for (const double length : lengths) {
+    time += drive_time_lower_bound(task_.vehicle, prices_, length);
+  }
   return is_time_ ? time : priced + time_price_ * time;
 }
 

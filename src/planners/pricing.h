@@ -74,7 +74,12 @@ class Pricing {
 
   /// Lower bound of the cost of drives whose path is at least `length` metres long and has prices
   /// of at least `priced` metres.
-  [[nodiscard]] double cost_lower_bound(double length, double priced) const;
+  [[nodiscard]] double cost_lower_bound(double length, double priced) const {
+    return cost_lower_bound({&length, 1}, priced);
+  }
+  /// Likewise of drives that stand between moves, each of which has at least one of these `lengths`
+  /// [m].
+  [[nodiscard]] double cost_lower_bound(std::span<const double> lengths, double priced) const;
 
  private:
   [[nodiscard]] double path_cost(std::span<const Segment> segments, double near) const;

@@ -103,7 +103,7 @@ CostOptions any_prices(Rng& rng) {
   cost.reverse_weight = uniform(1, 3, rng);
   if (chance(0.3, rng)) cost.initial_gear = InitialGear::reverse;
   if (chance(0.3, rng)) cost.initial_gear = InitialGear::forward;
-  if (chance(0.2, rng)) cost.measure = CostMeasure::time;
+  if (chance(0.3, rng)) cost.measure = CostMeasure::time;
   if (cost.measure == CostMeasure::time) cost = {.measure = CostMeasure::time};
   return cost;
 }
@@ -123,6 +123,7 @@ TEST(LegBounds, HoldForEveryDrive) {
         const Pose there = advance(pose, part_of(segment, 0.0, share * std::abs(segment.length)));
         Via& added = via.emplace_back();
         added.any_of.push_back(any_region_around(there, rng));
+        added.stop = share == 0.0 && chance(0.5, rng);
         if (chance(0.3, rng)) {
           added.any_of.push_back(any_region_around({uniform(-30, 30, rng), 3, 1}, rng));
         }
@@ -181,6 +182,37 @@ TEST(LegBounds, CountGearChangesAtVias) {
   // A start that is the first via takes no gear.
   const Problem at_once = past({through({0, 0, 0})}, {-20, 0, 0});
   EXPECT_NEAR(leg_bound(at_once, cost), 20, 0.1);
+}
+
+// Straight on: nothing is left open. What is in one move or the other is in the longer one.
+TEST(LegBounds, CountTheTimeOfStops) {
+  const CostOptions time{.measure = CostMeasure::time};
+  const auto bound = [&](const std::vector<bool>& stops, const CostOptions& cost) {
+    std::vector<Via> via;
+    for (const bool stop : stops) {
+      via.push_back(through({10.0 * static_cast<double>(via.size() + 1), 0, 0}));
+      via.back().stop = stop;
+    }
+    return leg_bound(past(via, {60, 0, 0}), cost);
+  };
+  const auto drive = [](double length) {
+    const Problem alone = past({}, {length, 0, 0});
+    return planning::Pricing(alone.task(), {.measure = CostMeasure::time})
+        .cost(std::vector<Segment>{{0, length}}, search::ClearanceSampling::answer);
+  };
+  EXPECT_NEAR(bound({false, false}, time), drive(60), 0.01);
+  EXPECT_NEAR(bound({false, true}, time), drive(20) + drive(40), 0.01);
+  EXPECT_NEAR(bound({true, true}, time), 2 * drive(10) + drive(40), 0.01);
+  CostOptions ahead = time;
+  ahead.gears = AllowedGears::forward;
+  EXPECT_NEAR(bound({true, true}, ahead), 2 * drive(10) + drive(40), 0.01);
+  GoalRegion strip = region_of_pose({20, 0, 0});
+  strip.x = {1, 40};
+  Via anywhere{{strip}, true};
+  EXPECT_NEAR(leg_bound(past({anywhere}, {60, 0, 0}), time), drive(1) + drive(59), 0.3);
+  // A loop in one gear counts in its own move.
+  const Problem loop = past({{{region_of_pose({0, 0, 0})}, true}, through({0, 3, 0})}, {0, 3, 0});
+  EXPECT_GT(leg_bound(loop, ahead), 1.5 * leg_bound(loop, time));
 }
 
 TEST(LegBounds, HalveIntervals) {
