@@ -3,13 +3,17 @@
 // The whole body stays in one area, in the eyes of the checker, of planners and of the judge.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "problem/fences.h"
 #include "support/cases.h"
+#include "support/collision_oracle.h"
 #include "support/draws.h"
 #include "support/place_of_error.h"
 #include "support/problems.h"
@@ -120,6 +124,111 @@ TEST(Inside, AreasHaveNothingInCommon) {
   EXPECT_EQ(fault({box(2, 2, 3, 3), box(20, 0, 21, 1), box(0, 0, 10, 10)}), "inside[2]");
   EXPECT_EQ(fault({{{0, 0}, {10, 10}, {10, 0}, {0, 10}}}), "inside[0]");
   EXPECT_EQ(fault({{{0, 0}, {10, 10}}}), "inside[0]");
+}
+
+/// A zigzag from south to north, and what is between it and a border.
+Polygon zigzag(Rng& rng) {
+  Polygon line;
+  for (double y = -20; y < 21; y += 8) line.push_back({uniform(-6, 6, rng), y});
+  return line;
+}
+Polygon beside(Polygon line, double border, double by) {
+  for (Point& p : line) p.x += by;
+  line.push_back({border, 20});
+  line.push_back({border, -20});
+  return line;
+}
+
+// Far from the origin too: areas that touch along a line or at a corner, overlap, are one in the
+// other or twice the same.
+TEST(Inside, NoTwoAreasWithACommonPointAreTaken) {
+  for_each_case(41, 300, [](Rng& rng) {
+    const Polygon line = zigzag(rng);
+    const Polygon one = beside(line, 25, 0);
+    Polygon other = one;
+    switch (rng() % 5) {
+      case 0:  // twice the same, from another corner on
+        std::rotate(other.begin(), other.begin() + static_cast<std::ptrdiff_t>(rng() % 5),
+                    other.end());
+        break;
+      case 1:  // one in the other
+        for (Point& p : other) p = {15 + p.x / 50, p.y / 50};
+        break;
+      case 2:  // a common corner
+        other = {line[2], {line[2].x - 9, line[2].y - 0.1}, {line[2].x - 9, line[2].y + 0.1}};
+        break;
+      case 3:  // a common part of a side
+        other = {{25, -3}, {30, -3}, {30, 9}, {25, 9}};
+        break;
+      default:  // common ground
+        other = beside(line, -25, any_size(1e-9, 9, rng));
+        break;
+    }
+    if (chance(0.5, rng)) std::reverse(other.begin(), other.end());
+    const double far = chance(0.5, rng) ? 0 : any_sign(any_size(1, 1e5, rng), rng);
+    std::vector<Polygon> areas = {one, box(60, 60, 70, 70), other};
+    if (chance(0.5, rng)) std::swap(areas[0], areas[2]);
+    for (Polygon& area : areas) {
+      for (Point& p : area) p = {p.x + far, p.y - far};
+    }
+    Scenario scenario = in_area({15 + far, -far, 0}, {16 + far, -far, 0}, areas);
+    scenario.bounds = {-50 + far, 100 + far, -50 - far, 100 - far};
+    EXPECT_EQ(place_of_error([&] { check_scenario(scenario); }), "inside[2]");
+  });
+}
+
+/// How much room the body has to the edge of the one area that it is in, wherever it was looked
+/// for along the path [m]; below 0 if it is in none at some place.
+double room_in_one(const std::vector<Polygon>& areas, const Vehicle& vehicle, const Path& path) {
+  const OracleBody body(vehicle);
+  double most = -1.0;
+  for (const Polygon& area : areas) {
+    double room = 1e9;
+    for (const PathPoint& point : sampled(path, 0.02)) {
+      if (!contains(std::span<const Point>(area), Point{point.pose.x, point.pose.y})) room = -1.0;
+      for (std::size_t i = 0; i < area.size() && room > 0.0; ++i) {
+        const Point side[] = {area[i], area[(i + 1) % area.size()]};
+        room = std::min(room, gap_between(body.at(point.pose), side).distance);
+      }
+      if (room <= 0.0) break;
+    }
+    most = std::max(most, room > 0.0 ? room : -1.0);
+  }
+  return most;
+}
+
+// Areas that nearly touch are no more one than others: neither checker nor judge lets a body from
+// one to the other, or be half in each.
+TEST(Inside, ABodyStaysInOneAreaHoweverNearTheOtherIs) {
+  int in = 0, out = 0;
+  for_each_case(42, 400, [&](Rng& rng) {
+    const Polygon line = zigzag(rng);
+    const double apart = chance(0.5, rng) ? any_size(1e-9, 1e-5, rng) : any_size(1e-5, 3, rng);
+    const std::vector<Polygon> areas = {beside(line, -25, -apart / 2), beside(line, 25, apart / 2)};
+    Vehicle vehicle = any_body(rng);
+    vehicle.outline.clear();
+    vehicle.min_turning_radius = 4;
+    const Pose start{any_sign(uniform(2, 20, rng), rng), uniform(-15, 15, rng),
+                     uniform(-pi, pi, rng)};
+    const Path path{start, {{uniform(-0.25, 0.25, rng), any_sign(any_size(0.01, 12, rng), rng)}}};
+    const Problem problem =
+        problem_in({.bounds = {-90, 90, -90, 90}, .inside = areas}, start, end_pose(path), vehicle);
+    const bool is_free = problem.task().checker->is_free(Local(start)) &&
+                         problem.task().checker->is_free(Local(start), path.segments);
+    const PathCheck check = check_path(problem, path);
+    const double room = room_in_one(areas, vehicle, path);
+    if (room < 0.0) {
+      ++out;
+      EXPECT_FALSE(is_free) << as_code(path);
+      EXPECT_FALSE(check.valid) << as_code(path);
+    } else if (room > 0.05 + 0.005 * OracleBody(vehicle).reach()) {
+      ++in;
+      EXPECT_TRUE(is_free) << as_code(path);
+      EXPECT_TRUE(check.valid) << check.reason << as_code(path);
+    }
+  });
+  EXPECT_GE(in, cases(400) / 20);
+  EXPECT_GE(out, cases(400) / 8);
 }
 
 TEST(Inside, FencesStandOutsideOfTheirSides) {
