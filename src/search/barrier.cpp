@@ -37,8 +37,9 @@ Barrier::Barrier(const Task& task, GearSign only)
     closed_.push_back({zone.area, zone.body ? clearance_ : 0.0});
     scene = geometry::united(scene, bounding_box(zone.area));
   }
-  for (const Bounds& street : one_way_.boxes()) scene = geometry::united(scene, street);
-  if (closed_.empty() && one_way_.is_empty()) return;
+  const std::vector<Bounds> streets = one_way_.barring();
+  for (const Bounds& street : streets) scene = geometry::united(scene, street);
+  if (closed_.empty() && streets.empty()) return;
   for (const Polygon& obstacle : ground.obstacles)
     scene = geometry::united(scene, bounding_box(obstacle));
   if (ground.map) scene = geometry::united(scene, bounding_box(outline(*ground.map)));

@@ -15,12 +15,12 @@ namespace {
 constexpr double slack_of_sides = 2e-3;       // of places; larger than all tolerances [m]
 constexpr double slack_of_directions = 1e-5;  // larger than the judge's [rad]
 
-/// Whether none of the directions has the sense: all point the other way, by more than `slack`
+/// Whether none of the directions has the sense: all point the other way, by more than `room`
 /// [rad].
-bool bars_sense(const HeadingRange& allowed, int sense, double slack) {
+bool bars_sense(const HeadingRange& allowed, int sense, double room) {
   const double half = width(allowed) / 2;
   const double off = std::abs(wrap_angle(allowed.from + half - sense * std::numbers::pi / 2));
-  return off - half > std::numbers::pi / 2 + slack;
+  return off - half > std::numbers::pi / 2 + room;
 }
 
 bool is_near(const Bounds& box, const Point& p, double near) {
@@ -33,25 +33,26 @@ bool is_near(const Bounds& box, const Point& p, double near) {
 // While the rear axle moves on by a metre, the centre moves by as much, and to the side by up to
 // its distance from the axle over the radius.
 OneWay::OneWay(const std::vector<Zone>& zones, const Disc& disc, double radius) {
-  const double slack = slack_of_directions + std::atan(std::abs(disc.ahead) / radius);
+  const double room = slack_of_directions + std::atan(std::abs(disc.ahead) / radius);
   for (const Zone& zone : zones) {
     if (!zone.direction) continue;
     const double near = zone.body ? disc.radius : -std::abs(disc.ahead);
-    Street street{zone.area, bounding_box(zone.area), near, {}};
+    Street street{zone.area, bounding_box(zone.area), *zone.direction, near, {}};
     for (int sense = 0; sense < 4; ++sense) {
-      street.bars[static_cast<std::size_t>(sense)] = bars_sense(*zone.direction, sense, slack);
+      street.bars[static_cast<std::size_t>(sense)] = bars_sense(*zone.direction, sense, room);
     }
-    const auto& bars = street.bars;
-    if (std::any_of(bars.begin(), bars.end(), [](bool is_barred) { return is_barred; })) {
-      streets_.push_back(std::move(street));
-    }
+    streets_.push_back(std::move(street));
   }
 }
 
-std::vector<Bounds> OneWay::boxes() const {
+std::vector<Bounds> OneWay::barring() const {
   std::vector<Bounds> boxes;
   boxes.reserve(streets_.size());
-  for (const Street& street : streets_) boxes.push_back(street.box);
+  for (const Street& street : streets_) {
+    const auto& bars = street.bars;
+    const bool bars_any = std::find(bars.begin(), bars.end(), true) != bars.end();
+    if (bars_any) boxes.push_back(street.box);
+  }
   return boxes;
 }
 
@@ -61,6 +62,23 @@ bool OneWay::bars(const Point& middle, double length, int sense) const {
            is_near(street.box, middle, std::max(street.near, 0.0)) &&
            geometry::distance_from_border(street.area, middle) <=
                street.near - length / 2 - slack_of_sides;
+  });
+}
+
+// A pose where the vehicle may not move is on no path: what is near it is forbidden, too.
+bool OneWay::forbids(const Point& centre, double off, double heading, double turn,
+                     GearSign only) const {
+  return std::any_of(streets_.begin(), streets_.end(), [&](const Street& street) {
+    const double half = width(street.direction) / 2;
+    const auto is_wrong = [&](double direction) {
+      return std::abs(wrap_angle(direction - street.direction.from - half)) >
+             half + turn + slack_of_directions;
+    };
+    const bool is_astray =
+        (only < 0 || is_wrong(heading)) && (only > 0 || is_wrong(heading + std::numbers::pi));
+    return is_astray && is_near(street.box, centre, std::max(street.near, 0.0)) &&
+           geometry::distance_from_border(street.area, centre) <=
+               street.near - off - slack_of_sides;
   });
 }
 

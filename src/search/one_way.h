@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which sides of a lattice's cells can be crossed in one sense only?
+// Which sides of a lattice's cells can be crossed in one sense only, and with which headings is no
+// metre driven?
 //
 // In a one-way street that none of whose directions has a sense, every metre leads the other way.
 // If the street contains all of a side, with some room, no path crosses the side in that sense.
@@ -11,28 +12,33 @@
 
 #include "search/open_rows.h"
 #include "vandplan/collision.h"
+#include "vandplan/search.h"
 
 namespace vandplan::search {
 
-/// The one-way streets of a ground, as far as they bar a sense of crossing. Senses: 0 is along x,
-/// then quarters of a turn.
+/// The one-way streets of a ground. Senses: 0 is along x, then quarters of a turn.
 class OneWay {
  public:
   OneWay() = default;
   /// For the centre of a disc in a body that turns with `radius` [m] at the tightest.
   OneWay(const std::vector<Zone>& zones, const Disc& disc, double radius);
 
-  /// Boxes around the areas of the streets.
-  [[nodiscard]] std::vector<Bounds> boxes() const;
+  /// Boxes around the areas of streets that bar a sense of crossing.
+  [[nodiscard]] std::vector<Bounds> barring() const;
   [[nodiscard]] bool is_empty() const noexcept { return streets_.empty(); }
   /// Whether the disc's centre cannot cross a side of a cell in a sense. `middle`, `length`: of the
   /// side.
   [[nodiscard]] bool bars(const Point& middle, double length, int sense) const;
+  /// Whether no path passes a pose with the disc's centre up to `off` [m] from `centre` and a
+  /// heading up to `turn` [rad] from `heading`. `only`: gear of all paths; 0: both gears.
+  [[nodiscard]] bool forbids(const Point& centre, double off, double heading, double turn,
+                             GearSign only) const;
 
  private:
   struct Street {
     Polygon area;
     Bounds box;                // Around the area.
+    HeadingRange direction;    // Directions of travel that are allowed.
     double near;               // Distance from the area at which the rules surely hold [m].
     std::array<bool, 4> bars;  // Whether it bars each sense.
   };

@@ -224,6 +224,13 @@ bool PoseBoxes::is_hit(const Pose& middle) const {
   return is_within(task_.world->local().bounds, {core.x, core.y}) && !core_->is_free(Local(core));
 }
 
+/// Whether one-way streets forbid to move at all poses of the box.
+bool PoseBoxes::is_astray(const Pose& middle) const {
+  return !one_way_.is_empty() &&
+         one_way_.forbids(centre_of(disc_, middle), side_ * std::sqrt(0.5) + slack, middle.heading,
+                          half_turn_, only_);
+}
+
 Pose PoseBoxes::middle_of(const Column& column, double heading) const {
   const double angle = wrap_angle(2 * std::numbers::pi * heading / headings_);
   const auto [sin, cos] = base::sin_cos(angle);
@@ -249,7 +256,7 @@ double PoseBoxes::find_least_length(Id id) const {
   if (!(columns_[id / headings_].in_all <= longest_)) return infinity;
   const Box box = this->box(id);
   const double length = (box.from_start + box.to_goal) / (1 + curvature_slack);
-  return length > longest_ || is_hit(box.middle) ? infinity : length;
+  return length > longest_ || is_hit(box.middle) || is_astray(box.middle) ? infinity : length;
 }
 
 float PoseBoxes::length_lower_bound(Id box) {

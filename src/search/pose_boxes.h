@@ -103,6 +103,7 @@ class PoseBoxes {
   [[nodiscard]] double turning_length(const Pose& end, const Pose& middle, bool is_start) const;
   [[nodiscard]] double length_in_gear(const Pose& end, const Pose& middle, bool is_start) const;
   [[nodiscard]] bool is_hit(const Pose& middle) const;
+  [[nodiscard]] bool is_astray(const Pose& middle) const;
   [[nodiscard]] Range way(GeodesicField& field, const Point& part) const;
   [[nodiscard]] Pose middle_of(const Column& column, double heading) const;
   [[nodiscard]] double find_least_length(Id id) const;

@@ -353,6 +353,25 @@ TEST(ProofsOfZones, AOneWayStreetIsWiderForTheBody) {
   EXPECT_EQ(status_of(with_gate({street})), PlanStatus::no_path);
 }
 
+// Between street and wall there are 15 mm for the axle, wherever lines of lattices lie.
+TEST(ProofsOfZones, AGapBesideAOneWayStreetIsOpen) {
+  const double room = 0.0075;
+  const double side = 9 - Vehicle{}.width / 2 - room;
+  for (int i = 0; i < 40; ++i) {
+    const double up = 0.037 * i;
+    Scenario scenario = with_zones({0, side + up, 0}, {40, side + up, 0}, {});
+    scenario.obstacles = {box(16, 9 + up, 24, 40)};
+    scenario.zones = {
+        {.area = box(18, -60, 22, side - room + up), .direction = HeadingRange{pi - 1, pi + 1}}};
+    const Problem problem = make_problem(scenario);
+    ASSERT_TRUE(check_path(problem, {problem.start(), {{0, 40}}}).valid);
+    search::Barrier barrier(problem.task(), 0);
+    while (barrier.step()) {
+    }
+    EXPECT_FALSE(barrier.is_proven()) << up;
+  }
+}
+
 TEST(ProofsOfZones, NoPathLeadsThroughAGateOfTheOtherGear) {
   const Zone gate{.area = box(18, -9, 22, 9), .gears = AllowedGears::reverse};
   EXPECT_EQ(status_of(with_gate({gate}), AllowedGears::forward), PlanStatus::no_path);
