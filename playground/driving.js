@@ -4,6 +4,7 @@
 // Where a truck that drives a path is, and what there is to say of one that was parked by hand.
 
 import {wrap} from './geometry.js';
+import {isAt} from './places.js';
 
 /** The number of the row, of a path that is shown, at so many metres. */
 function rowAt({rows}, s) {
@@ -16,15 +17,51 @@ function rowAt({rows}, s) {
   return low;
 }
 
-/** Where the truck of a drive is: {rows, begin, at}, of which `at` goes on; a yard's drive is shown four times as fast as it is. */
+const timesFaster = 4; // a yard's drive is shown so many times as fast as it is
+const leastStand = 0.9; // how long it is shown that a vehicle stands at a via [s]
+
+/** The first row at which a drive stands at a via that the path passes after `s` metres; -1 if it does nowhere. */
+function standingRow(rows, {vehicle}, place, s) {
+  for (let at = 0; at < rows.length; at += 7) {
+    const [, driven, x, y, heading, , speed] = rows.subarray(at, at + 7);
+    if (speed !== 0 || driven < s - 1e-6) continue;
+    if (driven < s + 1e-6 || isAt(vehicle, place, {x, y, heading}, 1e-3, 1e-3)) return at;
+  }
+  return -1;
+}
+
+/** A drive that begins to be shown: rows t, s, x, y, heading, curvature, speed; `at` goes on. `stops`: where it stands at vias. */
+export function beginDrive(rows, scene, passed, begin) {
+  const stops = [];
+  scene.via.forEach((place, via) => {
+    const at = place.stop && passed[via] ? standingRow(rows, scene, place, passed[via].s) : -1;
+    if (at >= 0) stops.push({via, t: rows[at], s: rows[at + 1]});
+  });
+  return {rows, stops, begin, at: 0};
+}
+
+/** The time of a drive that is shown after some seconds: at stops time stands, too. */
+function timeShown({stops}, seconds) {
+  let moving = seconds;
+  for (const {t} of stops) {
+    if (timesFaster * moving <= t) break;
+    if (timesFaster * (moving - leastStand) <= t) return t;
+    moving -= leastStand;
+  }
+  return timesFaster * moving;
+}
+
+/** Where the truck of a drive is, how fast [m/s], and the number of the via at which it stands. */
 export function drivenAt(drive, shown, time) {
-  const {rows, begin} = drive;
-  const t = (4 * Math.max(0, time - begin)) / 1000;
+  const {rows, stops, begin} = drive;
+  const t = timeShown(drive, Math.max(0, time - begin) / 1000);
   while (drive.at + 7 < rows.length && rows[drive.at + 7] <= t) drive.at += 7;
   const at = drive.at;
   const pose = {x: rows[at + 2], y: rows[at + 3], heading: rows[at + 4]};
   if (shown.trail) pose.hitch_angles = [wrap(pose.heading - shown.trail[3 * rowAt(shown, rows[at + 1]) + 2])];
-  return {pose, curvature: rows[at + 5], t: rows[at], isOver: t > rows[rows.length - 7] + 3};
+  const speed = Math.abs(rows[at + 6]);
+  const stop = speed === 0 ? stops.find(({s}) => Math.abs(s - rows[at + 1]) < 1e-6) : null;
+  return {pose, curvature: rows[at + 5], t: rows[at], speed, standsAt: stop?.via, isOver: t > rows[rows.length - 7] + 3};
 }
 
 /** What a way that was driven by hand cost, beside the planner's. */

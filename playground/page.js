@@ -6,7 +6,7 @@
 import {vehicles} from 'catalogue';
 
 import {showChosen} from './chosen.js';
-import {drivenAt, parkedNote} from './driving.js';
+import {beginDrive, drivenAt, parkedNote} from './driving.js';
 import {Editor} from './edit.js';
 import {paletteOf} from './paint.js';
 import * as panel from './panel.js';
@@ -14,7 +14,7 @@ import {Parking} from './parking.js';
 import {paintPage} from './picture.js';
 import {Planning} from './planning.js';
 import {vehicle} from './reading.js';
-import {adders, changeVehicle, History, isGround, isThere, sceneBox} from './scene.js';
+import {adders, changeVehicle, goalsOf, History, isGround, isThere, sceneBox} from './scene.js';
 import {View} from './view.js';
 
 const byId = (id) => document.getElementById(id);
@@ -29,7 +29,7 @@ export class Page {
   known = null; // the last path of this scene, before it was changed
   shown = null; // of the path: {rows: s, x, y, heading, curvature, direction; trail: x, y, heading of the trailer, or null}
   dirty = false; // a plan is wanted in the next frame
-  drive = null; // {rows, begin}: an animated drive
+  drive = null; // an animated drive (driving.js)
   parked = null; // somebody who parks by hand
   reached = 0; // which of several goals the last path led to
   bounds = []; // {time, bound}: what plans of this scene proved, and how long they took
@@ -305,8 +305,10 @@ export class Page {
     if (this.drive) this.stopDriving();
     else if (this.result?.path) {
       this.stopParking();
-      const rows = this.result.drive ?? this.vandplan.drive(this.result.path, this.scene.vehicle, 0.05);
-      this.drive = {rows, begin: performance.now(), at: 0};
+      const {path, drive, via} = this.result;
+      const {start, vehicle: driven} = this.scene;
+      const rows = drive ?? this.planning.yard(this.scene).drive({path, start, ...goalsOf(this.scene), vehicle: driven});
+      this.drive = beginDrive(rows, this.scene, via, performance.now());
       byId('play').textContent = '\u25A0\uFE0E Stop';
     }
     this.drawn();

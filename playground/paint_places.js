@@ -7,8 +7,8 @@ import {boxOf, centreOf, middle, outlines, placed} from './geometry.js';
 import {trace} from './paint.js';
 import {areaOf, entriesOf, poseOf, posesOf} from './places.js';
 
-/** Writes a text at a place of the yard, in pixels of the page: on a plate, or as it is. */
-function label(context, view, place, text, {ink, plate = null, square = false}) {
+/** Writes a text at a place of the yard, in pixels of the page: on a plate, with a halo, or as it is. */
+function label(context, view, place, text, {ink, plate = null, square = false, halo = null}) {
   const [x, y] = view.toPage(place);
   context.save();
   context.setTransform(view.ratio, 0, 0, view.ratio, 0, 0);
@@ -21,6 +21,12 @@ function label(context, view, place, text, {ink, plate = null, square = false}) 
     else context.arc(x, y, 10.5, 0, 2 * Math.PI);
     context.fillStyle = plate;
     context.fill();
+  }
+  if (halo) {
+    context.strokeStyle = halo;
+    context.lineWidth = 4;
+    context.lineJoin = 'round';
+    context.strokeText(text, x, y + 0.5);
   }
   context.fillStyle = ink;
   context.fillText(text, x, y + 0.5);
@@ -145,8 +151,18 @@ export function paintGoals(context, view, {vehicle, goal}, colours) {
   for (const pose of goal.any_of ? posesOf(vehicle, goal) : []) paintOutline(context, view, vehicle, pose, colours['accent-ink']);
 }
 
-/** Vias in their order, those with a stop on a square plate; where the path passes one, if it may pass elsewhere. */
-export function paintVias(context, view, {vehicle, via}, passed, colours) {
+/** How fast the driven vehicle is, above it. */
+export function paintSpeed(context, view, vehicle, {pose, speed: metres, standsAt}, colours) {
+  const top = Math.max(...outlines(vehicle, pose).flat().map(([, y]) => y));
+  const [x] = middle(vehicle, pose);
+  label(context, view, [x, top + 12 / view.scale], standsAt === undefined ? `${metres.toFixed(1)} m/s` : 'stop', {ink: standsAt === undefined ? colours.ink : colours.bad, halo: colours.paper});
+}
+
+/**
+ * Vias in their order, those with a stop on a square plate, which is red while the vehicle stands there (`standsAt`);
+ * where the path passes one, if it may pass elsewhere.
+ */
+export function paintVias(context, view, {vehicle, via}, passed, colours, standsAt) {
   via.forEach((place, i) => {
     for (const entry of entriesOf(place)) {
       paintRange(context, view, vehicle, entry, colours.soft);
@@ -156,6 +172,6 @@ export function paintVias(context, view, {vehicle, via}, passed, colours) {
     const there = passed[i];
     if (there && !vehicle.trailers) paintOutline(context, view, vehicle, there, colours.ink);
     const at = there && poses.length > 1 ? middle(vehicle, there) : centreOf(poses.map((pose) => middle(vehicle, pose)));
-    label(context, view, at, String(i + 1), {ink: colours.paper, plate: colours.ink, square: place.stop});
+    label(context, view, at, String(i + 1), {ink: colours.paper, plate: i === standsAt ? colours.bad : colours.ink, square: place.stop});
   });
 }

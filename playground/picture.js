@@ -5,7 +5,7 @@
 
 import {middle, wrap} from './geometry.js';
 import * as paint from './paint.js';
-import {paintGoalGround, paintGoals, paintVias, paintZones} from './paint_places.js';
+import {paintGoalGround, paintGoals, paintSpeed, paintVias, paintZones} from './paint_places.js';
 import {entriesOf, poseOf, posesOf} from './places.js';
 import {centreAt, placeAt, polygonAt} from './scene.js';
 
@@ -31,7 +31,8 @@ export function paintPage(page, colours, driven) {
   paintGoals(context, view, scene, colours);
   if (page.result?.hit) paint.paintHit(context, view, scene, page.result.hit, colours);
   paintTrucks(page, colours, driven);
-  paintVias(context, view, scene, page.result?.via ?? [], colours);
+  paintVias(context, view, scene, page.result?.via ?? [], colours, driven?.standsAt);
+  if (driven) paintSpeed(context, view, scene.vehicle, driven, colours);
   if (page.clean) return;
   paintSelection(page, colours);
   if (!page.moved) paintHint(page, colours);

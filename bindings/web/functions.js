@@ -49,6 +49,10 @@ class Yard {
     return taken(this.#core.checkIn(this.#number, withVehicle(query)));
   }
 
+  drive(query) {
+    return taken(this.#core.driveIn(this.#number, withVehicle(query)));
+  }
+
   isFree(query) {
     return taken(this.#core.isFreeIn(this.#number, withVehicle(query)));
   }
@@ -77,7 +81,9 @@ export function functionsOf(core) {
     plan: (scenario, {planner, ...options} = {}) => inYard(scenario, (yard) => yard.plan({planner, options})),
     check: (scenario, path, claims = {}) => inYard(scenario, (yard) => yard.check({path, ...claims})),
     sample: (path, step = 0.1) => taken(core.sampledPath(path, step)),
-    drive: (path, vehicle, step = 0.05) => taken(core.drivenPath(path, vehicleOf(vehicle), step)),
+    // A scenario has a start, a vehicle has none.
+    drive: (path, of, step = 0.05) =>
+      of?.start ? inYard(of, (yard) => yard.drive({path, step})) : taken(core.drivenPath(path, vehicleOf(of), step)),
     trailer: (path, vehicle, hitchAngle = 0, step = 0.1) => taken(core.trailedPath(path, vehicleOf(vehicle), hitchAngle, step)),
     advance: (pose, vehicle, {curvature, length}) => taken(core.advanced(pose, vehicleOf(vehicle), curvature, length)),
     steer: (from, to, radius, {reverse = true} = {}) => taken(core.steered(from, to, radius, reverse)),

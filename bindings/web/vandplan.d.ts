@@ -376,6 +376,8 @@ export interface Yard {
   plan(query?: Ends & {planner?: string; options?: PlanOptions; warm_start?: Path}): Result;
   /** Checks a path with the judge. */
   check(query: Ends & Claims & {path: Path}): Check;
+  /** Rows as those of `drive` of the module, of the fastest drive that obeys zones, masks and stops of vias. */
+  drive(query: Ends & {path: Path; step?: number}): Float64Array;
   /** Whether vehicle and trailer keep the margin [m] at a pose. */
   isFree(query: {pose: EndPose; vehicle?: Vehicle | string; margin?: number}): boolean;
   /** Frees the memory of the world. Later queries throw InputError. */
@@ -400,8 +402,11 @@ export interface Vandplan {
   yard(scenario: Scenario): Yard;
   /** Rows s, x, y, heading, curvature, direction of a path, at most `step` metres apart (0.1 by default). */
   sample(path: Path, step?: number): Float64Array;
-  /** Rows t, s, x, y, heading, curvature, speed of the fastest drive, at most `step` seconds apart (0.05 by default). */
-  drive(path: Path, vehicle: Vehicle | string, step?: number): Float64Array;
+  /**
+   * Rows t, s, x, y, heading, curvature, speed of the fastest drive, at most `step` seconds apart (0.05 by default). With
+   * a scenario it obeys the speeds of zones and masks and the stops of vias; with a vehicle, its own limits alone.
+   */
+  drive(path: Path, of: Scenario | Vehicle | string, step?: number): Float64Array;
   /** Rows x, y, heading of the trailer, one for each row of `sample` with this step. `hitchAngle`: at the start [rad]. */
   trailer(path: Path, vehicle: Vehicle | string, hitchAngle?: number, step?: number): Float64Array;
   /** Pose and hitch angle after a segment. */

@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the Vändplan authors
 
 // Does WebAssembly plan the same paths as the command line, bit for bit? Nine scenarios, three planners; a trailer,
-// somebody on foot, and a depot.
+// somebody on foot, and a depot. Does it drive them alike?
 // usage: node same_answers.mjs PLAYGROUND VANDPLAN [--timing]
 
 import {execFileSync} from 'node:child_process';
@@ -101,6 +101,28 @@ for (const [file, its] of files) {
     if (timing) console.log(`${name} ${planner}: time of WebAssembly by native:${ratio}`);
   }
 }
+
+// ---- driving: speeds of zones and masks, stops at vias ----
+
+/** Rows of the module's drive that the command line does not have for the result that it wrote last. */
+function otherRows(file, rows) {
+  const table = execFileSync(program, ['speed', file, join(work, 'result.json'), '--output', '-'], {encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore']}).trim().split('\n');
+  const columns = ['t', 's', 'x', 'y', 'heading', 'curvature', 'v'].map((name) => table[0].split(',').indexOf(name));
+  const theirs = table.slice(1).map((line) => columns.map((column) => Number(line.split(',')[column])));
+  const other = theirs.findIndex((row, i) => row.some((number, k) => !(Math.abs(number - rows[7 * i + k]) < 1e-9)));
+  return rows.length !== 7 * theirs.length ? `${rows.length / 7} rows and not ${theirs.length}` : other < 0 ? '' : `row ${other} and not ${theirs[other]}`;
+}
+
+const depot = join(scenarios, '../examples/depot.yaml');
+const [inDepot] = scenariosOf(depot);
+const way = pathOf(native(depot, 'anytime', 3000)[0], inDepot.vehicle);
+const obeying = vandplan.drive(way, inDepot);
+expect(otherRows(depot, obeying) === '', `the drive in the depot: ${otherRows(depot, obeying)}`);
+const rowsOf = (rows) => Array.from({length: rows.length / 7}, (_, i) => rows.subarray(7 * i, 7 * i + 7));
+expect(rowsOf(obeying).some(([, , x, y, , , v]) => v === 0 && Math.hypot(x - 93, y - 26) < 1e-5), 'the truck stands on the weighbridge');
+expect(rowsOf(obeying).every(([, , x, y, , , v]) => Math.abs(v) < 1.2 + 1e-9 || x < 48 || x > 78 || y > 20), 'it is slow on the ramp');
+expect(vandplan.drive(way, inDepot.vehicle).at(-7) < obeying.at(-7) - 5, 'its own limits alone let it drive faster');
+
 rmSync(work, {recursive: true});
 
 // ---- what the module promises besides ----
@@ -128,6 +150,8 @@ refuses('moving[0].trajectory[0]', () => vandplan.plan({...yard, moving: [{outli
 refuses('vehicle.outline', () => vandplan.plan({...yard, vehicle: {...truck, outline: [[-1, -1], [5, 0], [-1, 1], [1, 0]]}}));
 refuses('vehicle.outline', () => vandplan.plan({...yard, vehicle: {wheelbase: 4, min_turning_radius: 6, outline: []}}));
 refuses('map.cells', () => vandplan.plan({...yard, map: {origin: {x: 0, y: 0, heading: 0}, resolution: 1, columns: 2, rows: 2, cells: new Uint8Array(3)}}));
+refuses('step', () => vandplan.drive(way, inDepot, 0));
+refuses('path', () => vandplan.drive(null, inDepot));
 
 refuses('vehicle', () => vandplan.plan({...yard, vehicle: 'lorry'}));
 

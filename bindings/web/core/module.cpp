@@ -69,6 +69,10 @@ val check_in(std::size_t yard, const val& query) {
   return guarded([&] { return yard_at(yard).check(query); });
 }
 
+val drive_in(std::size_t yard, const val& query) {
+  return guarded([&] { return yard_at(yard).drive(query); });
+}
+
 val is_free_in(std::size_t yard, const val& query) {
   return guarded([&] { return yard_at(yard).is_free(query); });
 }
@@ -263,6 +267,7 @@ EMSCRIPTEN_BINDINGS(vandplan) {
   function("closeYard", &close_yard);
   function("planIn", &plan_in);
   function("checkIn", &check_in);
+  function("driveIn", &drive_in);
   function("isFreeIn", &is_free_in);
   function("sampledPath", &sampled_path);
   function("drivenPath", &driven_path);

@@ -98,6 +98,14 @@ val Yard::check(const val& query) const {
   return object_of(check_path(problem_of(query), path_from(query["path"]), claims));
 }
 
+val Yard::drive(const val& query) const {
+  allow_only(query, {"path", "step", "start", "goal", "via", "vehicle"}, "query");
+  const Problem problem = problem_of(query);
+  const Path path = path_from(query["path"]);
+  return rows_of_drive(path, problem.vehicle(), speed_options(problem, path),
+                       number_at(query, "step", "", 0.05));
+}
+
 val Yard::is_free(const val& query) const {
   allow_only(query, {"pose", "vehicle", "margin"}, "query");
   const Vehicle vehicle =

@@ -26,6 +26,10 @@ class Yard {
   /// vehicle}.
   [[nodiscard]] val check(const val& query) const;
 
+  /// `rows_of_drive` of a path, with the speeds of zones and masks and the stops of vias: {path,
+  /// step, start, goal, via, vehicle}.
+  [[nodiscard]] val drive(const val& query) const;
+
   /// Whether vehicle and trailer are free at a pose and keep the margin: {pose, vehicle, margin}.
   [[nodiscard]] val is_free(const val& query) const;
 
