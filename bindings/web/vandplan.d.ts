@@ -244,7 +244,12 @@ export interface PlanOptions {
   steering?: 'reeds-shepp' | 'continuous-between-stops' | 'continuous';
   style?: 'driver' | 'shortest';
   gears?: Gears;
-  [key: string]: number | string | boolean | null | undefined;
+  /**
+   * Bytes of a table of the site, as `vandplan table site` writes them (.vst). The default planner begins with the way of
+   * the table; searches with the estimate "site" look up its costs. A yard reads the same array once.
+   */
+  site?: Uint8Array;
+  [key: string]: number | string | boolean | null | undefined | Uint8Array;
 }
 
 /** Prices of driving: docs/algorithms/anytime.md#styles. */

@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the Vändplan authors
 
 // Does WebAssembly plan the same paths as the command line, bit for bit? Nine scenarios, three planners; a trailer,
-// somebody on foot, and a depot. Does it drive them alike?
+// somebody on foot, and a depot; with a table of a site. Does it drive them alike?
 // usage: node same_answers.mjs PLAYGROUND VANDPLAN [--timing]
 
 import {execFileSync} from 'node:child_process';
@@ -16,6 +16,7 @@ const [playground, program] = process.argv.slice(2, 4).map((path) => resolve(pat
 const timing = process.argv.includes('--timing');
 const require = createRequire(import.meta.url);
 const {load, InputError} = require(join(playground, 'npm/vandplan.cjs'));
+const {startWorker} = require(join(playground, 'npm/worker.cjs'));
 const yaml = require('/usr/share/nodejs/js-yaml/dist/js-yaml.js');
 const scenarios = fileURLToPath(new URL('../../scenarios', import.meta.url));
 const thesis = join(scenarios, 'thesis');
@@ -31,10 +32,10 @@ function expect(holds, what) {
 }
 
 /** What the command line finds: one result for each goal. */
-function native(file, planner, iterations) {
+function native(file, planner, iterations, more = []) {
   const output = join(work, 'result.json');
   try {
-    execFileSync(program, ['plan', file, '--planner', planner, '--max-iterations', String(iterations), '--output', output], {stdio: 'ignore'});
+    execFileSync(program, ['plan', file, '--planner', planner, '--max-iterations', String(iterations), '--output', output, ...more], {stdio: 'ignore'});
   } catch (error) {
     if (error.status !== 1) throw error; // 1: no path
   }
@@ -123,6 +124,27 @@ expect(rowsOf(obeying).some(([, , x, y, , , v]) => v === 0 && Math.hypot(x - 93,
 expect(rowsOf(obeying).every(([, , x, y, , , v]) => Math.abs(v) < 1.2 + 1e-9 || x < 48 || x > 78 || y > 20), 'it is slow on the ramp');
 expect(vandplan.drive(way, inDepot.vehicle).at(-7) < obeying.at(-7) - 5, 'its own limits alone let it drive faster');
 
+// A table of a site, as the command line makes it.
+const siteFile = join(work, 'yard.yaml');
+writeFileSync(siteFile, 'name: yard\nvehicle: two-axle-truck\nbounds: {x: [-50, 50], y: [-50, 50]}\nstart: {x: 0, y: 0, heading: 0}\n'
+  + 'goal: {x: 0, y: 12, heading: 0}\nobstacles:\n  - [[-20, 5], [15, 5], [15, 7], [-20, 7]]\n');
+execFileSync(program, ['table', 'site', siteFile, '--output', join(work, 'yard.vst')], {stdio: 'ignore'});
+const site = readFileSync(join(work, 'yard.vst')); // a Buffer, which is a view of a part of memory
+const [bySite] = native(siteFile, 'anytime', 300, ['--site', join(work, 'yard.vst')]);
+const {name: _name, ...siteYard} = read(siteFile);
+const withSite = {max_iterations: 300, time_limit: null, site};
+const ownBySite = vandplan.plan(siteYard, withSite);
+const siteHash = vandplan.hash(pathOf(bySite, vehicleOf('two-axle-truck')));
+expect(vandplan.hash(ownBySite.path) === siteHash && ownBySite.anytime[0].iteration === 0, 'a plan begins with the way of the site\'s table');
+expect(vandplan.plan(siteYard, {...withSite, site: null}).anytime[0].iteration > 0, 'without a table it does not');
+const kept = vandplan.yard(siteYard);
+for (const again of [site, site, new Uint8Array(site)]) {
+  expect(vandplan.hash(kept.plan({options: {...withSite, site: again}}).path) === siteHash, 'so do many plans in a yard');
+}
+kept.close();
+const worker = startWorker();
+expect(vandplan.hash((await worker.plan(siteYard, withSite)).path) === siteHash, 'so does a worker');
+worker.close();
 rmSync(work, {recursive: true});
 
 // ---- what the module promises besides ----
@@ -150,6 +172,9 @@ refuses('moving[0].trajectory[0]', () => vandplan.plan({...yard, moving: [{outli
 refuses('vehicle.outline', () => vandplan.plan({...yard, vehicle: {...truck, outline: [[-1, -1], [5, 0], [-1, 1], [1, 0]]}}));
 refuses('vehicle.outline', () => vandplan.plan({...yard, vehicle: {wheelbase: 4, min_turning_radius: 6, outline: []}}));
 refuses('map.cells', () => vandplan.plan({...yard, map: {origin: {x: 0, y: 0, heading: 0}, resolution: 1, columns: 2, rows: 2, cells: new Uint8Array(3)}}));
+for (const wrong of ['yard.vst', new Uint8Array(200), site.subarray(0, 5000), 7]) refuses('site', () => vandplan.plan(siteYard, {...withSite, site: wrong}));
+refuses('site', () => vandplan.plan({...siteYard, vehicle: 'van'}, withSite));
+refuses('site', () => vandplan.plan(siteYard, {...withSite, planner: 'prm'}));
 refuses('step', () => vandplan.drive(way, inDepot, 0));
 refuses('path', () => vandplan.drive(null, inDepot));
 

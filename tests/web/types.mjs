@@ -26,6 +26,7 @@ async function main(): Promise<number> {
   const result: Result = await startWorker().plan(scenario, {margin: 0.2}, {onProgress: ({cost}) => cost, signal: new AbortController().signal});
   // @ts-expect-error
   vandplan.plan({...scenario, wals: []});
+  vandplan.plan(scenario, {site: new Uint8Array(1)});
   if (result.path) vandplan.drive(result.path, scenario).subarray(vandplan.drive(result.path, 'van', 0.1).length);
   // @ts-expect-error
   const none: number = result.cost;

@@ -52,7 +52,7 @@ val open_yard(const val& scenario) {
   });
 }
 
-const Yard& yard_at(std::size_t number) {
+Yard& yard_at(std::size_t number) {
   if (number >= yards.size() || !yards[number]) throw InputError("yard", "is closed");
   return *yards[number];
 }

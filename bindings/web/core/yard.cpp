@@ -3,6 +3,7 @@
 #include "bindings/web/core/yard.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,7 +15,10 @@
 namespace vandplan::web {
 namespace {
 
-/// Planner options from an object of numbers, words and flags; null values are ignored.
+constexpr const char* site_key = "site";
+
+/// Planner options from an object of numbers, words and flags; null values are ignored, and the
+/// table of the site is left out.
 PlanOptions options_from(const Planner& planner, const val& given) {
   PlanOptions options;
   if (given.isUndefined() || given.isNull()) return options;
@@ -27,10 +31,23 @@ PlanOptions options_from(const Planner& planner, const val& given) {
     return setting_order(a) < setting_order(b);
   });
   for (const std::string& key : names) {
-    if (!has(given, key.c_str())) continue;
+    if (key == site_key || !has(given, key.c_str())) continue;
     set_option(options, planner, key, val::global("String")(given[key]).as<std::string>());
   }
   return options;
+}
+
+/// Table of a site from the bytes of its file.
+std::shared_ptr<const SiteTable> site_from(const val& given) {
+  if (!val::global("ArrayBuffer").call<bool>("isView", given)) {
+    throw InputError(site_key, "expected the bytes of a table, a Uint8Array");
+  }
+  const val bytes =
+      val::global("Uint8Array").new_(given["buffer"], given["byteOffset"], given["byteLength"]);
+  const auto kept = std::make_shared<std::string>(bytes["length"].as<std::size_t>(), '\0');
+  auto* const begin = reinterpret_cast<std::uint8_t*>(kept->data());
+  val{emscripten::typed_memory_view(kept->size(), begin)}.call<void>("set", bytes);
+  return std::make_shared<const SiteTable>(site_table_from_bytes(*kept, kept, site_key));
 }
 
 val rows_of(std::span<const Motion> motions) {
@@ -72,13 +89,14 @@ Yard::Yard(const val& scenario)
       problem_(make_problem(scenario_)),
       world_(problem_.world()) {}
 
-val Yard::plan(const val& query) const {
+val Yard::plan(const val& query) {
   allow_only(query, {"planner", "options", "start", "goal", "via", "vehicle", "warm_start"},
              "query");
   const Planner planner = planner_of(query);
   const Problem problem = problem_of(query);
-  const PlanOptions options =
-      complete(planner, options_from(planner, query["options"]), problem.vehicle());
+  PlanOptions options = options_from(planner, query["options"]);
+  options.site = site_of(query["options"]);
+  options = complete(planner, options, problem.vehicle());
   const PlanResult result = vandplan::plan(problem, planner, options);
   val object = object_of(result);
   object.set("drive", drive_of(result, problem.vehicle()));
@@ -133,6 +151,17 @@ Problem Yard::problem_of(const val& query) const {
   const std::vector<Via> via = has(query, "via") ? via_at(query, vehicle) : scenario_.via;
   const Problem ends = goal.set.empty() ? problem : with_goal_set(problem, goal.set);
   return with_moving(with_via(ends, via), scenario_.moving);
+}
+
+/// The table is read again only if a query brings other bytes than the one before.
+std::shared_ptr<const SiteTable> Yard::site_of(const val& options) {
+  if (options.isUndefined() || options.isNull() || !has(options, site_key)) return nullptr;
+  const val bytes = options[site_key];
+  if (!site_ || !bytes.strictlyEquals(site_bytes_)) {
+    site_ = site_from(bytes);
+    site_bytes_ = bytes;
+  }
+  return site_;
 }
 
 }  // namespace vandplan::web

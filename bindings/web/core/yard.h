@@ -7,6 +7,7 @@
 
 #include "bindings/web/core/values.h"
 #include "vandplan/motion.h"
+#include "vandplan/site_table.h"
 
 namespace vandplan::web {
 
@@ -20,7 +21,7 @@ class Yard {
   explicit Yard(const val& scenario);
 
   /// Plans with {planner, options, warm_start}, and {start, goal, via, vehicle} if they are given.
-  [[nodiscard]] val plan(const val& query) const;
+  [[nodiscard]] val plan(const val& query);
 
   /// Checks a path with the judge: {path, margin, margin_ramp, steering, gears, start, goal, via,
   /// vehicle}.
@@ -35,10 +36,13 @@ class Yard {
 
  private:
   [[nodiscard]] Problem problem_of(const val& query) const;
+  [[nodiscard]] std::shared_ptr<const SiteTable> site_of(const val& options);
 
   Scenario scenario_;
   Problem problem_;
   std::shared_ptr<const World> world_;
+  val site_bytes_ = val::undefined();  // of the last query with a table of the site
+  std::shared_ptr<const SiteTable> site_ = {};
 };
 
 }  // namespace vandplan::web
