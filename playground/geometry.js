@@ -109,6 +109,7 @@ export function boxOf(points) {
 
 /** The corners of what is hit, of which the planner says what and where it is; null if it is not in the scene. */
 export function hitCorners(scene, {what, index, cell}) {
+  if (what === 'masks') return mapCorners(scene.masks[index].map.grid);
   if (index !== undefined) return (what === 'zones' ? scene.zones[index]?.area : scene[what]?.[index]) ?? null;
   if (what === 'bounds') {
     const {x, y} = scene.bounds;

@@ -8,7 +8,8 @@ import {load} from 'vandplan';
 
 import {listenToChosen} from './chosen.js';
 import {explain} from './explain.js';
-import {linkOf, mapFrom, parsed, sceneFromLink, sceneOnMap, scenesFrom, yamlOf} from './files.js';
+import {dropped, linkOf, sceneFromLink, scenesFrom, yamlOf} from './files.js';
+import {sceneOnMap} from './maps.js';
 import {Page} from './page.js';
 import * as panel from './panel.js';
 import {work} from './planning.js';
@@ -33,24 +34,11 @@ function download(blob, name) {
 
 const fileName = (scene) => scene.name.replace(/[^\w-]+/g, '-').slice(0, 60) || 'yard';
 
-/** Opens what somebody dropped or chose: a scenario, a map, or both. */
+/** Opens what somebody dropped or chose: a scenario, a map, or a scenario with its maps. */
 async function openFiles(page, list) {
-  const files = [...list];
-  const texts = files.filter(({name}) => /\.ya?ml$/i.test(name));
-  const image = files.find(({name}) => /\.(pgm|png)$/i.test(name));
-  if (!texts.length && !image) throw new ReadError('expected a scenario (.yaml) or a map (.pgm, .png)');
-  let scenario = null;
-  let keys = {};
-  for (const file of texts) {
-    if (file.size > 2e6) throw new ReadError(`${file.name}: is larger than 2 MB`);
-    const text = await file.text();
-    const value = parsed(text, file.name);
-    if (value && typeof value === 'object' && 'image' in value) keys = value;
-    else scenario = {text, name: file.name};
-  }
-  const map = image ? await mapFrom(image, keys, texts.find(({name}) => name !== scenario?.name)?.name ?? image.name) : null;
-  if (scenario) return page.open(scenesFrom(scenario.text, scenario.name, map)[0], {keep: true});
-  if (!map) throw new ReadError('drop the image of the map together with its keys');
+  const {scenario, maps} = await dropped(list);
+  if (scenario) return page.open(scenesFrom(scenario.text, scenario.name, maps)[0], {keep: true});
+  const [map] = maps.values();
   const free = (scene) => {
     const yard = page.vandplan.yard(scenarioOf(scene));
     return (pose) => yard.isFree({pose, vehicle: scene.vehicle});
@@ -77,7 +65,7 @@ function listenToFiles(page) {
   byId('save').addEventListener('click', () => download(new Blob([yamlOf(page.sceneAsSet())], {type: 'text/yaml'}), `${fileName(page.scene)}.yaml`));
   byId('picture').addEventListener('click', async () => download(await page.picture(), `${fileName(page.scene)}.png`));
   byId('link').addEventListener('click', told(async () => {
-    if (page.scene.map) throw new ReadError('A scene with a map is too large for a link: save it instead');
+    if (page.scene.map || page.scene.masks.length) throw new ReadError('A scene with a map is too large for a link: save it instead');
     location.hash = await linkOf(page.sceneAsSet());
     let copied = false;
     try {

@@ -244,6 +244,7 @@ export class Page {
       this.history.remember(this.scene);
       changeVehicle(this.scene, vehicle(value));
       this.settle();
+      if (this.scene.masks.length) ++this.planning.groundVersion; // they may give speeds in percent of the vehicle's
     } else {
       for (const all of [this.settings, this.own, this.wanted]) all[key] = value;
     }
@@ -273,7 +274,7 @@ export class Page {
     byId('redo').disabled = !this.history.canRedo;
     byId('remove').disabled = this.editor.selected?.index === undefined;
     byId('play').disabled = !this.result?.path;
-    byId('park').disabled = this.scene.via.length + this.scene.zones.length > 0; // nobody says there what hands may do
+    byId('park').disabled = this.scene.via.length + this.scene.zones.length + this.scene.masks.length > 0; // nobody says there what hands may do
     showChosen(this.scene, this.editor.selected);
   }
 

@@ -5,7 +5,7 @@
 
 import {hitCorners, mapCorners, outline, outlines, placed, trailerOutline, trailerPose} from './geometry.js';
 import {posesOf} from './places.js';
-import {placeAt, polygonAt} from './scene.js';
+import {blocks, placeAt, polygonAt} from './scene.js';
 
 const names = ['paper', 'grid', 'ink', 'soft', 'wall', 'wall-line', 'kerb', 'kerb-line', 'accent', 'accent-ink', 'forward', 'reverse', 'body', 'glass', 'bad'];
 
@@ -66,33 +66,46 @@ export function paintBounds(context, view, {bounds: {x, y}, inside}, colours) {
 
 const images = new WeakMap();
 
-/** The cells of a map as an image: obstacles dark, unknown ones half as much. */
-function imageOf(grid, colours) {
-  const kept = images.get(grid);
-  if (kept?.wall === colours.wall) return kept.canvas;
+/** Cells of a map as an image in one colour; `opacities` has one value from 0 to 255 for each. It is kept with `owner`. */
+function imageOf(owner, {columns, rows}, colour, opacities) {
+  const kept = images.get(owner);
+  if (kept?.colour === colour) return kept.canvas;
   const canvas = document.createElement('canvas');
-  Object.assign(canvas, {width: grid.columns, height: grid.rows});
+  Object.assign(canvas, {width: columns, height: rows});
   const context = canvas.getContext('2d');
-  context.fillStyle = colours.wall;
+  context.fillStyle = colour;
   context.fillRect(0, 0, 1, 1);
   const [r, g, b] = context.getImageData(0, 0, 1, 1).data;
-  const image = context.createImageData(grid.columns, grid.rows);
-  for (let i = 0; i < grid.cells.length; ++i) {
-    image.data.set([r, g, b, [0, 255, 110][grid.cells[i]]], 4 * i);
-  }
+  const image = context.createImageData(columns, rows);
+  opacities.forEach((opacity, i) => image.data.set([r, g, b, opacity], 4 * i));
   context.putImageData(image, 0, 0);
-  images.set(grid, {wall: colours.wall, canvas});
+  images.set(owner, {colour, canvas});
   return canvas;
 }
 
-export function paintMap(context, {grid}, colours) {
+function paintCells(context, {origin, resolution}, image) {
   context.save();
-  context.translate(grid.origin.x, grid.origin.y);
-  context.rotate(grid.origin.heading);
-  context.scale(grid.resolution, grid.resolution);
+  context.translate(origin.x, origin.y);
+  context.rotate(origin.heading);
+  context.scale(resolution, resolution);
   context.imageSmoothingEnabled = false;
-  context.drawImage(imageOf(grid, colours), 0, 0);
+  context.drawImage(image, 0, 0);
   context.restore();
+}
+
+/** A map: obstacles dark, unknown cells half as much. */
+export function paintMap(context, {grid}, colours) {
+  paintCells(context, grid, imageOf(grid, grid, colours.wall, grid.cells.map((cell) => [0, 255, 110][cell])));
+}
+
+/** Masks, faintly: cells that are obstacles in the colour of walls; those with a speed or price in that of kerbs, the more so the fuller. */
+export function paintMasks(context, masks, colours) {
+  for (const mask of masks) {
+    const {grid, percents} = mask.map;
+    const isWall = blocks(mask);
+    const opacityOf = isWall ? (_, i) => (grid.cells[i] === 1 ? 115 : 0) : (percent) => (percent > 100 || percent === 0 ? 0 : 40 + percent);
+    paintCells(context, grid, imageOf(mask, grid, isWall ? colours.wall : colours.kerb, percents.map(opacityOf)));
+  }
 }
 
 export function paintPolygons(context, view, scene, colours) {

@@ -33,7 +33,7 @@ export const duration = (seconds) =>
 const metres = (value) => (value === Infinity ? 'none near' : value === null ? '' : `${value.toFixed(value < 10 ? 2 : 1)} m`);
 
 /** A reason of the planner without the keys of scenario files. */
-const said = (reason) => reason.replace(/\bzones\[\d+\] \(([^)]*)\)/g, 'the zone "$1"').replace(/\bzones\[\d+\]/g, 'a zone').replace(/\bvia\[(\d+)\]/g, (_, i) => `via ${Number(i) + 1}`).replace(/\bobstacles\[\d+\]/g, 'a wall').replace(/\bkerbs\[\d+\]/g, 'a kerb').replace(/\binside\[\d+\]/g, 'the yard').replace(/\bmoving\[\d+\]/g, 'what moves');
+const said = (reason) => reason.replace(/\bzones\[\d+\] \(([^)]*)\)/g, 'the zone "$1"').replace(/\bzones\[\d+\]/g, 'a zone').replace(/\bvia\[(\d+)\]/g, (_, i) => `via ${Number(i) + 1}`).replace(/\bobstacles\[\d+\]/g, 'a wall').replace(/\bkerbs\[\d+\]/g, 'a kerb').replace(/\binside\[\d+\]/g, 'the yard').replace(/\bmasks\[\d+\]/g, 'a mask').replace(/\bmoving\[\d+\]/g, 'what moves');
 
 export function showResult(result, hash) {
   const status = byId('status');

@@ -19,6 +19,7 @@ export function paintPage(page, colours, driven) {
   view.enter(context);
   paint.paintGrid(context, view, colours);
   paint.paintBounds(context, view, scene, colours);
+  paint.paintMasks(context, scene.masks, colours);
   paintZones(context, view, scene.zones, colours);
   paintGoalGround(context, view, scene, colours);
   if (scene.map) paint.paintMap(context, scene.map, colours);

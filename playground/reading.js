@@ -16,7 +16,7 @@ const fail = (where, problem) => {
   throw new ReadError(`${where}: ${problem}`);
 };
 
-export const most = {polygons: 2000, corners: 20000, outline: 100, movers: 40, rows: 2000, goals: 500, via: 40, zones: 200, text: 2e6};
+export const most = {polygons: 2000, corners: 20000, outline: 100, movers: 40, rows: 2000, goals: 500, via: 40, zones: 200, masks: 20, text: 2e6};
 
 function object(value, where, keys) {
   if (value === null || typeof value !== 'object' || Array.isArray(value)) fail(where, 'expected a map of keys');
@@ -139,6 +139,31 @@ function zones(value) {
   });
 }
 
+/** The last part of a file's name: what is dropped has no folder. */
+export const baseName = (name) => String(name).split(/[/\\]/).at(-1);
+
+const missing = (where, name) => fail(where, `drop ${JSON.stringify(String(name).slice(0, 60))} and its image together with the scenario`);
+
+/** The map of a scenario. Without masks the only map that was dropped is it, whatever its name. */
+function mapOf({map: name, masks, unknown}, maps) {
+  const named = name === undefined ? undefined : maps.get(baseName(name));
+  const map = named ?? (masks === undefined && maps.size === 1 ? maps.values().next().value : null);
+  if (name !== undefined && !map) missing('map', name);
+  return map && unknown === 'free' ? {...map, grid: {...map.grid, unknown: 'free'}} : map;
+}
+
+/** Further maps; the rule of each keeps the keys of its file. */
+function masks(value, maps) {
+  return list(value ?? [], 'masks', most.masks).map((one, i) => {
+    const where = `masks[${i}]`;
+    const {map: name, ...rule} = object(one, where, ['map', 'as', 'of', 'type', 'base', 'multiplier']);
+    if (rule.type === undefined && !['obstacles', 'max_speed', 'cost'].includes(rule.as)) fail(`${where}.as`, 'expected obstacles, max_speed or cost');
+    for (const key of ['of', 'type', 'base', 'multiplier']) if (rule[key] !== undefined) number(rule[key], `${where}.${key}`);
+    if (typeof name !== 'string') fail(`${where}.map`, 'expected the name of a map');
+    return {rule, map: maps.get(baseName(name)) ?? missing(`${where}.map`, name)};
+  });
+}
+
 function earth(value) {
   if (value === undefined) return {};
   object(value, 'origin', ['longitude', 'latitude']);
@@ -249,12 +274,12 @@ function options(value) {
   );
 }
 
-const keys = ['name', 'description', 'vehicle', 'bounds', 'start', 'goal', 'goals', 'via', 'obstacles', 'kerbs', 'inside', 'zones', 'map', 'unknown', 'moving', 'options', 'origin'];
+const keys = ['name', 'description', 'vehicle', 'bounds', 'start', 'goal', 'goals', 'via', 'obstacles', 'kerbs', 'inside', 'zones', 'map', 'unknown', 'masks', 'moving', 'options', 'origin'];
 
-/** The problems that a parsed scenario file states, as scenes; a row of goals has one for each. */
-export function scenesOf(document, map = null) {
+/** The problems that a parsed scenario file states, as scenes; a row of goals has one for each. `maps`: by the names of their files. */
+export function scenesOf(document, maps = new Map()) {
   object(document, 'the file', keys);
-  if (document.map !== undefined && !map) fail('map', `drop ${JSON.stringify(String(document.map).slice(0, 60))} and its image together with the scenario`);
+  const map = mapOf(document, maps);
   const driven = vehicle(document.vehicle ?? fail('vehicle', 'is missing'));
   const scene = {
     name: text(document.name, 'name') || 'yard',
@@ -264,7 +289,8 @@ export function scenesOf(document, map = null) {
     obstacles: polygons(document.obstacles, 'obstacles'),
     kerbs: polygons(document.kerbs, 'kerbs'),
     inside: polygons(document.inside, 'inside'),
-    map: map && document.unknown === 'free' ? {...map, grid: {...map.grid, unknown: 'free'}} : map,
+    map,
+    masks: masks(document.masks, maps),
     via: list(document.via ?? [], 'via', most.via).map((one, i) => place(one, `via[${i}]`, driven, ['stop'])),
     zones: zones(document.zones),
     moving: movers(document.moving),

@@ -15,17 +15,25 @@ export function sceneBox(scene) {
     for (const entry of entriesOf(place)) points.push(...(areaOf(entry) ?? []));
   }
   for (const polygon of [...scene.obstacles, ...scene.kerbs, ...scene.inside, ...scene.zones.map(({area}) => area)]) points.push(...polygon);
-  if (scene.map) points.push(...mapCorners(scene.map.grid));
+  for (const {grid} of [...(scene.map ? [scene.map] : []), ...scene.masks.map(({map}) => map)]) points.push(...mapCorners(grid));
   return boxOf(points);
 }
 
 /** Goal and vias, as the planner takes them. */
 export const goalsOf = ({goal, via}) => ({goal: fileOf(goal), via: via.map(fileOf)});
 
+/** Whether occupied cells of a mask are obstacles. */
+export const blocks = ({rule}) => rule.as === 'obstacles' || rule.type === 0;
+
+/** A mask as the planner takes it. Of obstacles the cells alone count. */
+const maskOf = (mask) => ({...mask.rule, map: mask.map.grid, ...(blocks(mask) ? {} : {percents: mask.map.percents})});
+
 /** What the planner gets: the keys of a scenario file. */
 export function scenarioOf(scene) {
-  const {name, vehicle, bounds, start, obstacles, kerbs, inside, zones, moving, map} = scene;
-  return {name, vehicle, bounds, start, ...goalsOf(scene), obstacles, kerbs, ...(inside.length ? {inside} : {}), zones, moving, ...(map ? {map: map.grid} : {})};
+  const {name, vehicle, bounds, start, obstacles, kerbs, inside, zones, moving, map, masks} = scene;
+  return {
+    name, vehicle, bounds, start, ...goalsOf(scene), obstacles, kerbs, ...(inside.length ? {inside} : {}), zones, masks: masks.map(maskOf), moving, ...(map ? {map: map.grid} : {}),
+  };
 }
 
 // ---- objects, by their handles ----
@@ -135,8 +143,9 @@ export function changeVehicle(scene, vehicle) {
   for (const kind of ['start', 'goal']) scene[kind] = placeFor(vehicle, scene[kind]);
   scene.via = scene.via.map((place) => placeFor(vehicle, place));
 }
-/** A copy that later changes leave alone; the cells of a map are shared, as nobody changes them. */
-export const copyOf = (scene) => ({...structuredClone({...scene, map: null}), map: scene.map});
+
+/** A copy that later changes leave alone; the cells of maps are shared, as nobody changes them. */
+export const copyOf = (scene) => ({...structuredClone({...scene, map: null, masks: null}), map: scene.map, masks: scene.masks});
 
 /** What was there before each change, and what was undone. */
 export class History {

@@ -172,14 +172,28 @@ export interface Zone {
 }
 
 /** Further map, of which unknown cells say nothing. */
-export interface Mask {
+export type Mask = {
   map: OccupancyMap;
+  /** Occupancy of each cell, 0 to 100; 255 is unknown. By default 100 for occupied and 0 for free ones. */
+  percents?: Uint8Array;
+} & (MaskRule | Nav2MaskRule);
+
+/** What the cells of a mask say. */
+export interface MaskRule {
   /** Occupied cells are obstacles; or cells limit the speed, or a metre costs more in them. */
   as: 'obstacles' | 'max_speed' | 'cost';
   /** In a cell occupied by p percent: largest speed (1 - p / 100) `of` [m/s], or cost 1 + p / 100 `of`. */
   of?: number;
-  /** Occupancy of each cell, 0 to 100; 255 is unknown. By default 100 for occupied and 0 for free ones. */
-  percents?: Uint8Array;
+}
+
+/** What the cells of a mask say, with the keys of Nav2's costmap filters. */
+export interface Nav2MaskRule {
+  /** 0: occupied cells are obstacles. 1: `base + multiplier * percent` is a speed in percent of the vehicle's largest. 2: in m/s. */
+  type: 0 | 1 | 2;
+  /** 0 by default. */
+  base?: number;
+  /** 1 by default. */
+  multiplier?: number;
 }
 
 /** Scenario, with the keys of scenario files. */

@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the Vändplan authors
 
 // Does WebAssembly plan the same paths as the command line, bit for bit? Nine scenarios, three planners; a trailer,
-// somebody on foot, and a depot; with a table of a site. Does it drive them alike?
+// somebody on foot, and a depot; masks, and a table of a site. Does it drive them alike?
 // usage: node same_answers.mjs PLAYGROUND VANDPLAN [--timing]
 
 import {execFileSync} from 'node:child_process';
@@ -124,6 +124,41 @@ expect(rowsOf(obeying).some(([, , x, y, , , v]) => v === 0 && Math.hypot(x - 93,
 expect(rowsOf(obeying).every(([, , x, y, , , v]) => Math.abs(v) < 1.2 + 1e-9 || x < 48 || x > 78 || y > 20), 'it is slow on the ramp');
 expect(vandplan.drive(way, inDepot.vehicle).at(-7) < obeying.at(-7) - 5, 'its own limits alone let it drive faster');
 
+// Masks: walls, a price, and Nav2's speeds in percent; from files there, from cells here.
+const [columns, rows] = [40, 30];
+const percentsOf = {
+  walls: (column, row) => (column >= 18 && column < 20 && row >= 10 && row < 19 ? 100 : 0),
+  price: (column, row) => (column > 30 ? 255 : 3 * row),
+  speed: (column) => (column >= 22 ? 70 : 0),
+};
+const masks = Object.entries(percentsOf).map(([name, percentAt]) => {
+  const percents = Uint8Array.from({length: columns * rows}, (_, i) => percentAt(i % columns, Math.floor(i / columns)));
+  const topFirst = Array.from({length: rows}, (_, row) => [...percents.subarray((rows - 1 - row) * columns, (rows - row) * columns)]).flat();
+  writeFileSync(join(work, `${name}.pgm`), Buffer.concat([Buffer.from(`P5\n${columns} ${rows}\n255\n`), Buffer.from(topFirst)]));
+  writeFileSync(join(work, `${name}.yaml`), `image: ${name}.pgm\nresolution: 1\norigin: [-10, -15, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\nmode: raw\n`);
+  const cells = percents.map((percent) => (percent > 100 ? 2 : percent > 65 ? 1 : percent < 19.6 ? 0 : 2));
+  return {map: {origin: {x: -10, y: -15, heading: 0}, resolution: 1, columns, rows, cells}, percents};
+});
+const masked = {
+  vehicle: 'van', bounds: {x: [-10, 30], y: [-15, 15]}, start: {x: 0, y: 0, heading: 0}, goal: {x: 20, y: 2, heading: 0}, obstacles: [],
+  masks: [{map: masks[0].map, as: 'obstacles'}, {...masks[1], as: 'cost', of: 4}, {...masks[2], type: 1, base: 100, multiplier: -1}],
+};
+const maskedFile = join(work, 'masked.yaml');
+writeFileSync(maskedFile, `${yaml.dump({name: 'masked', ...masked, masks: undefined}, {skipInvalid: true})}masks:
+  - {map: walls.yaml, as: obstacles}
+  - {map: price.yaml, as: cost, of: 4}
+  - {map: speed.yaml, type: 1, base: 100, multiplier: -1}
+`);
+const [amongMasks] = native(maskedFile, 'anytime', 1000);
+const own = vandplan.plan(masked, {max_iterations: 1000, time_limit: null});
+expect(own.check?.valid && vandplan.hash(own.path) === vandplan.hash(pathOf(amongMasks, vehicleOf('van'))), `masks: ${own.reason}`);
+expect(own.path.segments.some(({curvature}) => curvature !== 0) && own.cost > own.check.length + 1, 'the walls of a mask are driven round, and metres have its price');
+const amongRows = vandplan.drive(own.path, masked);
+expect(otherRows(maskedFile, amongRows) === '', `the drive among masks: ${otherRows(maskedFile, amongRows)}`);
+const unmasked = vandplan.yard({...masked, masks: []});
+expect(unmasked.drive({path: own.path}).at(-7) < amongRows.at(-7) - 1, 'a mask limits the speed');
+unmasked.close();
+
 // A table of a site, as the command line makes it.
 const siteFile = join(work, 'yard.yaml');
 writeFileSync(siteFile, 'name: yard\nvehicle: two-axle-truck\nbounds: {x: [-50, 50], y: [-50, 50]}\nstart: {x: 0, y: 0, heading: 0}\n'
@@ -175,6 +210,14 @@ refuses('map.cells', () => vandplan.plan({...yard, map: {origin: {x: 0, y: 0, he
 for (const wrong of ['yard.vst', new Uint8Array(200), site.subarray(0, 5000), 7]) refuses('site', () => vandplan.plan(siteYard, {...withSite, site: wrong}));
 refuses('site', () => vandplan.plan({...siteYard, vehicle: 'van'}, withSite));
 refuses('site', () => vandplan.plan(siteYard, {...withSite, planner: 'prm'}));
+const [walls, price] = masked.masks;
+refuses('masks[0].as', () => vandplan.plan({...masked, masks: [{...walls, as: 'walls'}]}));
+refuses('masks[0].as', () => vandplan.plan({...masked, masks: [{map: walls.map}]}));
+refuses('masks[1].of', () => vandplan.plan({...masked, masks: [walls, {...price, of: undefined}]}));
+refuses('masks[0].type', () => vandplan.plan({...masked, masks: [{map: walls.map, type: 3}]}));
+refuses('masks[0].as', () => vandplan.plan({...masked, masks: [{...walls, type: 0}]}));
+refuses('masks[0].map.cells', () => vandplan.plan({...masked, masks: [{...walls, map: {...walls.map, rows: 7}}]}));
+refuses('masks[0].map.resolution', () => vandplan.plan({...masked, masks: [{...walls, map: {...walls.map, resolution: 0}}]}));
 refuses('step', () => vandplan.drive(way, inDepot, 0));
 refuses('path', () => vandplan.drive(null, inDepot));
 

@@ -10,7 +10,7 @@ import {pathToFileURL} from 'node:url';
 
 import {Browser, pause} from './browser.mjs';
 import {takesGoalsAndZones, takesThemByTouch} from './goals_and_zones.mjs';
-import {showsDrives} from './drives.mjs';
+import {takesMasksAndDrives} from './masks_and_drives.mjs';
 
 const [playground, chromium, pictures] = process.argv.slice(2);
 const url = pathToFileURL(resolve(playground, 'index.html')).href;
@@ -428,7 +428,7 @@ async function onADesk(browser) {
   await opensFiles(page);
   await drawsOutlines(browser, page, size);
   await takesGoalsAndZones(page, {expect, found, click, dropped, picture});
-  await showsDrives(page, {expect, found, click, choose, picture});
+  await takesMasksAndDrives(page, {expect, found, click, choose, picture});
   await saves(page);
   await parks(page);
   await links(browser, page, size);

@@ -26,7 +26,11 @@ async function main(): Promise<number> {
   const result: Result = await startWorker().plan(scenario, {margin: 0.2}, {onProgress: ({cost}) => cost, signal: new AbortController().signal});
   // @ts-expect-error
   vandplan.plan({...scenario, wals: []});
-  vandplan.plan(scenario, {site: new Uint8Array(1)});
+  const map = {origin: scenario.start, resolution: 1, columns: 1, rows: 1, cells: new Uint8Array(1)};
+  const masks: Mask[] = [{map, as: 'cost', of: 2}, {map, type: 1, base: 100, multiplier: -1, percents: new Uint8Array(1)}];
+  // @ts-expect-error
+  masks.push({map, as: 'walls'});
+  vandplan.plan({...scenario, masks}, {site: new Uint8Array(1)});
   if (result.path) vandplan.drive(result.path, scenario).subarray(vandplan.drive(result.path, 'van', 0.1).length);
   // @ts-expect-error
   const none: number = result.cost;
@@ -34,7 +38,7 @@ async function main(): Promise<number> {
 }
 main();
 `;
-const imports = `import {InputError, load, type Result, type Scenario} from 'vandplan';\nimport {startWorker} from 'vandplan/worker';`;
+const imports = `import {InputError, load, type Mask, type Result, type Scenario} from 'vandplan';\nimport {startWorker} from 'vandplan/worker';`;
 writeFileSync('imports.mts', program(imports));
 writeFileSync('requires.cts', program(imports));
 const {ModuleKind, ModuleResolutionKind, ScriptTarget} = ts;

@@ -248,7 +248,7 @@ Scenario scenario_from(const val& given) {
              "");
   Scenario scenario;
   if (has(given, "vehicle")) scenario.vehicle = vehicle_from(given["vehicle"]);
-  if (has(given, "map")) scenario.map = map_from(given["map"]);
+  if (has(given, "map")) scenario.map = map_from(given["map"], "map");
   if (has(given, "bounds")) {
     const val bounds = given["bounds"];
     allow_only(bounds, {"x", "y"}, "bounds");
@@ -272,7 +272,7 @@ Scenario scenario_from(const val& given) {
   scenario.kerbs = polygons_at(given, "kerbs");
   scenario.inside = polygons_at(given, "inside");
   scenario.zones = zones_at(given);
-  scenario.masks = masks_at(given);
+  scenario.masks = masks_at(given, scenario.vehicle.limits.max_speed.forward);
   scenario.moving = moving_at(given);
   return scenario;
 }

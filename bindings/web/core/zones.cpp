@@ -48,30 +48,66 @@ Zone zone_from(const val& given, const std::string& where) {
   return zone;
 }
 
+std::string word_at(const val& object, const char* key, const std::string& where) {
+  if (!has(object, key) || !object[key].isString()) {
+    throw InputError(key_of(where, key), "expected a word");
+  }
+  return object[key].as<std::string>();
+}
+
+/// A mask with the keys `as` and `of` of scenario files.
+Mask mask_named(const val& given, const std::string& where) {
+  allow_only(given, {"map", "percents", "as", "of"}, where);
+  const std::string use = word_at(given, "as", where);
+  if (use == name_of(MaskUse::obstacles)) return {};
+  if (use == name_of(MaskUse::max_speed)) return speed_mask({}, number_at(given, "of", where));
+  if (use == name_of(MaskUse::cost)) return cost_mask({}, number_at(given, "of", where));
+  throw InputError(key_of(where, "as"), "expected obstacles, max_speed or cost");
+}
+
+/// A mask with the keys of Nav2's costmap filters: 0 is keepout, 1 a speed in percent of `fastest`,
+/// 2 one in m/s.
+Mask mask_of_nav2(const val& given, const std::string& where, double fastest) {
+  allow_only(given, {"map", "percents", "type", "base", "multiplier"}, where);
+  const double kind = number_at(given, "type", where);
+  if (kind != 0 && kind != 1 && kind != 2) {
+    throw InputError(key_of(where, "type"), "expected 0 (keepout), 1 (speed in %) or 2 (in m/s)");
+  }
+  const double base = number_at(given, "base", where, 0.0);
+  const double multiplier = number_at(given, "multiplier", where, 1.0);
+  if (kind == 0) return {};
+  const double unit = kind == 1 ? fastest / 100 : 1.0;
+  return {.use = MaskUse::max_speed, .base = unit * base, .multiplier = unit * multiplier};
+}
+
 }  // namespace
 
-OccupancyGrid map_from(const val& given) {
-  allow_only(given, {"origin", "resolution", "columns", "rows", "cells", "unknown"}, "map");
+OccupancyGrid map_from(const val& given, const std::string& where) {
+  allow_only(given, {"origin", "resolution", "columns", "rows", "cells", "unknown"}, where);
   OccupancyGrid map{
-      .origin = pose_from(given["origin"], "map.origin"),
-      .resolution = number_at(given, "resolution", "map"),
-      .columns = count_at(given, "columns", "map", 1e6),
-      .rows = count_at(given, "rows", "map", 1e6),
+      .origin = pose_from(given["origin"], key_of(where, "origin")),
+      .resolution = number_at(given, "resolution", where),
+      .columns = count_at(given, "columns", where, 1e6),
+      .rows = count_at(given, "rows", where, 1e6),
       .unknown_is_free = has(given, "unknown") && given["unknown"].as<std::string>() == "free"};
   const std::int64_t size = std::int64_t{map.columns} * map.rows;
   // Fits into 32 bits of memory, together with its world.
   constexpr std::int64_t most = 100'000'000;
-  if (size > most) throw InputError("map.cells", "are more than 100 million");
+  if (size > most) throw InputError(key_of(where, "cells"), "are more than 100 million");
   const auto numbers = emscripten::convertJSArrayToNumberVector<std::uint8_t>(given["cells"]);
   if (static_cast<std::int64_t>(numbers.size()) != size) {
-    throw InputError("map.cells", "expected columns * rows of them");
+    throw InputError(key_of(where, "cells"), "expected columns * rows of them");
   }
   std::vector<Cell> cells(numbers.size());
   std::ranges::transform(numbers, cells.begin(), [](std::uint8_t number) {
     return number == 0 ? Cell::free : number == 1 ? Cell::occupied : Cell::unknown;
   });
   map.cells = std::move(cells);
-  check_map(map);
+  try {
+    check_map(map);
+  } catch (const InputError& error) {  // Keys of the error begin with "map".
+    throw InputError(where + error.where().substr(3), error.problem());
+  }
   return map;
 }
 
@@ -86,28 +122,23 @@ std::vector<Zone> zones_at(const val& object) {
   return zones;
 }
 
-std::vector<Mask> masks_at(const val& object) {
+std::vector<Mask> masks_at(const val& object, double fastest) {
   std::vector<Mask> masks;
   if (!has(object, "masks")) return masks;
   const val list = object["masks"];
   const std::size_t count = size_of(list, "masks");
+  masks.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const std::string where = "masks[" + std::to_string(i) + "]";
-    allow_only(list[i], {"map", "as", "of", "percents"}, where);
-    const auto use = list[i]["as"].as<std::string>();
-    OccupancyGrid map = map_from(list[i]["map"]);
-    if (use == name_of(MaskUse::obstacles)) {
-      masks.push_back({"", std::move(map)});
-    } else if (use == name_of(MaskUse::max_speed)) {
-      masks.push_back(speed_mask(std::move(map), number_at(list[i], "of", where)));
-    } else if (use == name_of(MaskUse::cost)) {
-      masks.push_back(cost_mask(std::move(map), number_at(list[i], "of", where)));
-    } else {
-      throw InputError(key_of(where, "as"), "expected obstacles, max_speed or cost");
+    const val given = list[i];
+    const bool is_of_nav2 = has(given, "type");
+    Mask mask = is_of_nav2 ? mask_of_nav2(given, where, fastest) : mask_named(given, where);
+    mask.map = map_from(given["map"], key_of(where, "map"));
+    if (has(given, "percents")) {
+      mask.percents = std::make_shared<const std::vector<std::uint8_t>>(
+          emscripten::convertJSArrayToNumberVector<std::uint8_t>(given["percents"]));
     }
-    if (!has(list[i], "percents")) continue;
-    masks.back().percents = std::make_shared<const std::vector<std::uint8_t>>(
-        emscripten::convertJSArrayToNumberVector<std::uint8_t>(list[i]["percents"]));
+    masks.push_back(std::move(mask));
   }
   return masks;
 }

@@ -3,6 +3,7 @@
 #pragma once
 // How do maps, zones and masks of JavaScript become values of the library?
 
+#include <string>
 #include <vector>
 
 #include "bindings/web/core/values.h"
@@ -10,10 +11,13 @@
 namespace vandplan::web {
 
 /// Map from {origin, resolution, columns, rows, cells, unknown}.
-[[nodiscard]] OccupancyGrid map_from(const val& given);
+[[nodiscard]] OccupancyGrid map_from(const val& given, const std::string& where);
 
-/// Zones and masks of a scenario; none if the key is missing.
+/// Zones of a scenario; none if the key is missing.
 [[nodiscard]] std::vector<Zone> zones_at(const val& scenario);
-[[nodiscard]] std::vector<Mask> masks_at(const val& scenario);
+
+/// Masks of a scenario; none if the key is missing. Nav2 gives speeds in percent of `fastest`
+/// [m/s].
+[[nodiscard]] std::vector<Mask> masks_at(const val& scenario, double fastest);
 
 }  // namespace vandplan::web
