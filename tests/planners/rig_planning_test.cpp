@@ -42,31 +42,6 @@ PlanOptions with_iterations(int iterations, std::uint64_t seed = 1) {
   return options;
 }
 
-// The first drive has 3.5 m in reverse, and without wheels that turn at stops no search leads to
-// another kind.
-TEST(RigPlanning, WheelsThatTurnAtStopsFindAnotherKindOfDrive) {
-  Scenario yard;
-  yard.vehicle = vehicle_named("car-caravan");
-  yard.bounds = {-27, 53, -51, 29};
-  yard.start = {-0.047616, 0.296107, -0.596035};
-  yard.goal = {3.238909, 0.406755, -2.996121};
-  yard.hitch_angles = {-0.549476, -0.358251};
-  yard.obstacles = {{{-6.52, 13.06}, {1.89, 5.75}, {5.14, 9.49}, {-3.27, 16.8}},
-                    {{15.53, 0.45}, {19.98, 8.33}, {17.79, 9.57}, {13.34, 1.69}}};
-  int found = 0;
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    PlanOptions options = with_iterations(is_sanitized ? 100 : 10000, seed);
-    options.cost = driver_style;
-    options.cost.reverse_weight = 123.2662;
-    options.steering = Steering::reeds_shepp;
-    const PlanResult result = plan(make_problem(yard), options);
-    found += result.path && result.cost < 100;
-  }
-  if (!is_sanitized) {
-    EXPECT_GE(found, 4);
-  }
-}
-
 TEST(RigPlanning, TheNumberOfThreadsDoesNotMatter) {
   PlanOptions options = with_iterations(cases(3000));
   options.cost = driver_style;
@@ -533,25 +508,37 @@ TEST(RigPlanning, DrivesForwardOnOpenGroundWhereThatIsCheaper) {
   EXPECT_LT(result.cost, 56.1);
 }
 
-// A drive that backs up by a metre is found sooner, and no search among both gears leads away from
-// it.
+// A drive that backs up by a metre or three is found sooner, and no search among both gears leads
+// away from it.
 TEST(RigPlanning, DrivesAroundWhereBackingUpIsDear) {
-  Scenario yard{.vehicle = drawbar(), .bounds = {-40, 40, -40, 40}};
-  yard.start = {-8.59, 0.57, 2.81};
-  yard.goal = {9.51, 12.53, -1.886};
-  yard.obstacles = {{{-2.54, -17.27}, {2.47, -21.41}, {4.19, -19.33}, {-0.83, -15.19}},
+  const auto expect_around = [](const Scenario& yard, double reverse_weight, double enough) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      PlanOptions options = with_iterations(is_sanitized ? 100 : 10000, seed);
+      options.cost = driver_style;
+      options.cost.reverse_weight = reverse_weight;
+      options.steering = Steering::reeds_shepp;
+      const PlanResult result = plan(make_problem(yard), options);
+      ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+      if (is_sanitized) continue;
+      EXPECT_LT(result.cost, enough) << seed;
+    }
+  };
+  Scenario wide{.vehicle = drawbar(), .bounds = {-40, 40, -40, 40}};
+  wide.start = {-8.59, 0.57, 2.81};
+  wide.goal = {9.51, 12.53, -1.886};
+  wide.obstacles = {{{-2.54, -17.27}, {2.47, -21.41}, {4.19, -19.33}, {-0.83, -15.19}},
                     {{-30.06, 7.65}, {-29.84, 5.59}, {-25.01, 6.11}, {-25.23, 8.17}},
                     {{26.13, -24.3}, {28.56, -24.2}, {28.51, -23.1}, {26.08, -23.2}},
                     {{8.79, -27.62}, {13.33, -30.68}, {16.74, -25.64}, {12.2, -22.57}},
                     {{18.2, 27.21}, {14.03, 36.43}, {11.29, 35.19}, {15.47, 25.97}}};
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    PlanOptions options = with_iterations(is_sanitized ? 100 : 8000, seed);
-    options.cost = driver_style;
-    options.cost.reverse_weight = 33.7;
-    const PlanResult result = plan(make_problem(yard), options);
-    ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
-    if (!is_sanitized) EXPECT_LT(result.cost, 76) << seed;
-  }
+  expect_around(wide, 33.7, 76);
+  Scenario narrow{.vehicle = vehicle_named("car-caravan"), .bounds = {-27, 53, -51, 29}};
+  narrow.start = {-0.047616, 0.296107, -0.596035};
+  narrow.goal = {3.238909, 0.406755, -2.996121};
+  narrow.hitch_angles = {-0.549476, -0.358251};
+  narrow.obstacles = {{{-6.52, 13.06}, {1.89, 5.75}, {5.14, 9.49}, {-3.27, 16.8}},
+                      {{15.53, 0.45}, {19.98, 8.33}, {17.79, 9.57}, {13.34, 1.69}}};
+  expect_around(narrow, 123.2662, 110);
 }
 
 // Prices decide what is cheap, and not whether and when there is a path.

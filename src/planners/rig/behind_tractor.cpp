@@ -218,17 +218,14 @@ BehindTractor::BehindTractor(std::shared_ptr<const Setting> setting, std::int64_
 
 BehindTractor::~BehindTractor() = default;
 
-// [1] Begins to plan a path of the tractor, for other wheels or on another radius each time.
+// [1] Begins to plan a path of the tractor, on another radius each time.
 void BehindTractor::begin(const Budget& budget) {
-  std::size_t path = paths_++;
+  const std::size_t path = paths_++;
   if (path > 0) {
     most_work_ = std::clamp(2 * most_work_, first_later_work, most_later_work);
   }
   work_left_ = most_work_;
-  const std::size_t kinds = setting_->pricing.counts_time() ? 1 : setting_->wheels.size();
-  wheels_ = path % kinds;
-  path /= kinds;
-  const Task& task = setting_->wheels[wheels_];
+  const Task& task = setting_->task;
   alone_ = tractor_task(task, radii[path % radii.size()] * turning_radius(task.vehicle));
   if (!alone_->checker->is_free(alone_->start) || !alone_->checker->is_free(alone_->goal)) return;
   options_ = setting_->options;
@@ -259,7 +256,7 @@ std::int64_t BehindTractor::plan(std::int64_t most) {
   if (!way || way->empty()) return steps;
   const search::CostRule rule =
       search::restricted(search::cost_rule(driver_style), setting_->options.cost.gears);
-  follower_ = std::make_unique<Follower>(setting_->wheels[wheels_], rule, *way);
+  follower_ = std::make_unique<Follower>(setting_->task, rule, *way);
   work_left_ = most_work_;
   return steps;
 }
@@ -270,8 +267,8 @@ void BehindTractor::follow() {
   counts_.checks += follower_->checks();
   follower_.reset();
   if (!drive) return;
-  auto commands = ExactDrive(setting_->wheels[wheels_]).along(*drive);
-  if (commands) found_ = Chain{*std::move(commands), wheels_};
+  auto commands = ExactDrive(setting_->task).along(*drive);
+  if (commands) found_ = Chain{*std::move(commands), 0};
 }
 
 std::int64_t BehindTractor::work(std::int64_t most, const Budget& budget) {

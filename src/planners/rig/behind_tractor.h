@@ -41,7 +41,6 @@ class BehindTractor final : public ChainSource {
   std::int64_t most_work_;
   std::uint64_t seed_;
   std::size_t paths_ = 0;                       // paths begun so far
-  std::size_t wheels_ = 0;                      // index of the wheels that follow the path at hand
   std::int64_t work_left_ = 0;                  // work left for the path, or for following it
   std::optional<Task> alone_;                   // task of the tractor
   PlanOptions options_;                         // options of the path at hand

@@ -109,10 +109,8 @@ void add_workers(anytime::Portfolio& portfolio, const Task& task, const PlanOpti
   };
   const bool begins_far = is_far(task);
   const std::int64_t first_search = begins_far ? 1 : 0;
-  std::vector<const Task*> tasks;  // with other wheels, too, if time counts
-  for (const Task& with : setting->wheels) {
-    if (tasks.empty() || portfolio.pricing->counts_time()) tasks.push_back(&with);
-  }
+  std::vector<const Task*> tasks;
+  for (const Task& with : setting->wheels) tasks.push_back(&with);
   const auto searches = [&](std::span<const Kind> kinds) {
     return std::make_unique<Searches>(setting, kinds, tasks);
   };

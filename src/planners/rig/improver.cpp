@@ -34,7 +34,7 @@ bool Improver::step(double best) {
 
 // Bends the drive for the next softer wheels. False if there are none or they cannot follow.
 bool Improver::soften() {
-  if (!setting_.pricing.counts_time() || wheels_ + 1 == setting_.wheels.size()) return false;
+  if (wheels_ + 1 == setting_.wheels.size()) return false;
   const Task& task = setting_.wheels[wheels_ + 1];
   const auto commands = commands::obeyed(task, drive_->commands());
   if (!commands) return false;

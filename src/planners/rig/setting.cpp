@@ -7,24 +7,11 @@
 #include "planners/rig/towed.h"
 
 namespace vandplan::rig {
-namespace {
-
-std::deque<Task> wheels_for(const Task& task, const planning::Pricing& pricing) {
-  if (pricing.counts_time()) return with_softer_wheels(task);
-  std::deque<Task> wheels = {task};
-  if (task.steering == Steering::reeds_shepp && !pricing.rule().is_length()) {
-    wheels.emplace_back(task).steering = Steering::continuous_between_stops;
-  }
-  return wheels;
-}
-
-}  // namespace
-
 Setting::Setting(const Task& of, const PlanOptions& with, const planning::Pricing& prices)
     : task(of),
       options(with),
       pricing(prices),
-      wheels(wheels_for(of, prices)),
+      wheels(prices.counts_time() ? with_softer_wheels(of) : std::deque<Task>{of}),
       bare(without_margin(of, with.clearance.margin)),
       towed(towed_task(of)),
       guides(of),

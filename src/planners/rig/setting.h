@@ -24,9 +24,8 @@ struct Setting {
   const Task& task;
   PlanOptions options;
   const planning::Pricing& pricing;
-  /// The task, and copies with other wheels whose drives the task allows, too. If time counts, the
-  /// copies have softer and softer wheels. With prices of arcs and lines, the copy turns its wheels
-  /// at stops.
+  /// The task, and if time counts copies with softer and softer wheels, whose drives the task
+  /// allows, too.
   std::deque<Task> wheels;
   std::optional<Task> bare;  ///< task without its margin; none without a margin
   Task towed;                ///< task of the trailer alone
