@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "planners/anytime/compose.h"
+#include "planners/commands/closer.h"
 #include "planners/last_stretch.h"
 #include "problem/goal_set.h"
 
@@ -19,6 +20,14 @@ constexpr std::size_t max_goals_of_line = 16;
 constexpr std::size_t max_goals_of_region = 64;
 constexpr std::size_t max_goals_of_set = 2048;  // most goals of all regions, but two of each
 constexpr std::size_t max_open_ways = 2;  // goals tried on open ground before the first search
+
+/// Whether a rig that comes to a line as `before` says keeps its hitch angle along the line, in
+/// spite of rounding errors.
+bool is_steady(const Task& before, const Segment& line) {
+  if (!before.vehicle.trailer || is_there(before)) return true;
+  const double angle = before.hitch_angles.goal;
+  return commands::error_growth(before.vehicle, angle, line) < commands::most_error_growth;
+}
 
 }  // namespace
 
@@ -84,6 +93,11 @@ std::optional<SetGoal> SetGoals::at(const GoalPoint& point) {
   const Task before = before_line(goal.task);
   const Segment line = line_of(goal.task);
   const bool folds = std::abs(before.hitch_angles.goal) > task_.vehicle.max_hitch_angle;
+  if (!folds && !is_steady(before, line)) {
+    saw_all_ = false;
+    is_unsteady_ = true;
+    return std::nullopt;
+  }
   const bool may_drive = !folds && search::may_drive(pricing_.rule(), {&line, 1});
   if (!may_drive || !before.checker->is_free(goal_state(before), line)) return std::nullopt;
   if (pricing_.counts_time()) return goal;
@@ -110,7 +124,8 @@ PlannerAnswer SetGoals::without_goals() const {
   const bool saw_each = saw_all_ && std::ranges::none_of(task_.goal_set, is_continuous);
   return {.status = saw_each ? PlanStatus::no_path : PlanStatus::iteration_limit,
           .reason = "before none of the " + std::to_string(looked_at_) + poses +
-                    "there is a free straight last stretch"};
+                    "there is a free straight last stretch" +
+                    (is_unsteady_ ? ": it is too long to back a trailer" : "")};
 }
 
 }  // namespace vandplan::planning

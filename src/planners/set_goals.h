@@ -59,6 +59,7 @@ class SetGoals {
   std::size_t looked_at_ = 0;  // goals looked at
   std::size_t free_ = 0;       // goals where the vehicle can stand
   bool saw_all_ = true;
+  bool is_unsteady_ = false;  // whether a last stretch is too long to back a trailer
   std::optional<double> bound_of_regions_;
 };
 

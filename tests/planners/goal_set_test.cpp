@@ -392,6 +392,30 @@ TEST(GoalSet, EndsStraightWhereARigIsNotFoldedUp) {
   ASSERT_TRUE(!result.path || result.path->segments.back().length < 0.0);
 }
 
+// In reverse an error of the hitch angle grows by a factor of e in each length of the trailer. A
+// drive from where the line begins has none.
+TEST(GoalSet, NoTrailerIsBackedFartherThanRoundingAllows) {
+  Scenario scenario = yard({});
+  scenario.vehicle = semitrailer();
+  scenario.bounds = {-300, 300, -300, 300};
+  const auto backed = [&](double start, double length) {
+    scenario.start = {start, 0, 0};
+    GoalRegion dock = region_of_pose({0, 0, 0});
+    dock.straight = length;
+    dock.hitch_angle = {0.0, 0.0};
+    scenario.goal_set = {dock};
+    PlanOptions options = with_iterations(is_sanitized ? 200 : 2000);
+    options.cost.gears = AllowedGears::reverse;
+    return plan(make_problem(scenario), options);
+  };
+  const double most = std::log(1e4) * semitrailer().trailer->wheelbase;
+  EXPECT_EQ(backed(most + 20, most - 0.1).status, PlanStatus::solved);
+  const PlanResult result = backed(most + 20, most + 0.1);
+  EXPECT_EQ(result.status, PlanStatus::iteration_limit);  // nothing is proven
+  EXPECT_TRUE(result.reason.ends_with("it is too long to back a trailer")) << result.reason;
+  EXPECT_EQ(backed(140, 140).status, PlanStatus::solved);
+}
+
 TEST(GoalSet, EndsStraightByEveryPlanner) {
   GoalRegion dock = region_of_pose({30, 10, 0});
   dock.straight = 6;

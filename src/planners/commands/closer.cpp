@@ -274,21 +274,24 @@ bool Closer::is_held() const {
   return std::abs(places_.front().hitch_angle) <= vehicle_.max_hitch_angle;
 }
 
-/// Whether rounding errors of the hitch angle stay small. In reverse they grow by a factor of e in
-/// each length of the trailer, except where the rig is exactly straight from the start on.
+double error_growth(const Vehicle& vehicle, double hitch_angle, const Segment& segment) {
+  constexpr double tick = 1e-6;  // step of the numerical derivative [rad]
+  const double apart = hitch_angle_after(vehicle, hitch_angle + tick, segment) -
+                       hitch_angle_after(vehicle, hitch_angle - tick, segment);
+  return std::abs(apart) / (2 * tick);
+}
+
+/// Whether rounding errors of the hitch angle stay small. Where the rig is exactly straight from
+/// the start on, there are none.
 bool Closer::is_steady() const {
   if (!vehicle_.trailer) return true;
-  constexpr double most_growth = 1e4;
-  constexpr double tick = 1e-6;  // step of numerical derivatives [rad]
-  double growth = 1.0;           // largest growth of an error made anywhere before
+  double growth = 1.0;  // largest growth of an error made anywhere before
   bool is_straight = true;
   const auto grow = [&](double angle, const Segment& segment) {
     is_straight &= angle == 0.0 && segment.curvature == 0.0 && segment.curvature_rate == 0.0;
     if (is_straight) return true;
-    const double apart = hitch_angle_after(vehicle_, angle + tick, segment) -
-                         hitch_angle_after(vehicle_, angle - tick, segment);
-    growth = std::max(growth, 1.0) * std::abs(apart) / (2 * tick);
-    return growth < most_growth;
+    growth = std::max(growth, 1.0) * error_growth(vehicle_, angle, segment);
+    return growth < most_error_growth;
   };
   for (std::size_t i = 0; i < obeyed_.size(); ++i) {
     const auto& [segments, count, at_once, reaches] = obeyed_[i];

@@ -16,6 +16,15 @@
 
 namespace vandplan::commands {
 
+/// Growth of an error of the hitch angle from which on a drive is refused: an end within 1e-10 rad
+/// would be off by more than 1e-6 rad.
+inline constexpr double most_error_growth = 1e4;
+
+/// By how much a small error of the hitch angle grows along a segment that begins with the angle.
+/// In reverse it is a factor of e in each length of the trailer.
+[[nodiscard]] double error_growth(const Vehicle& vehicle, double hitch_angle,
+                                  const Segment& segment);
+
 /// Changes curvatures and lengths of commands as little as possible, until they lead from one state
 /// to another. Each thread needs its own closer, which holds buffers.
 class Closer {
