@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "geometry/boxes.h"
 #include "geometry/polygon.h"
 
 namespace vandplan::search {
@@ -21,11 +22,6 @@ bool bars_sense(const HeadingRange& allowed, int sense, double room) {
   const double half = width(allowed) / 2;
   const double off = std::abs(wrap_angle(allowed.from + half - sense * std::numbers::pi / 2));
   return off - half > std::numbers::pi / 2 + room;
-}
-
-bool is_near(const Bounds& box, const Point& p, double near) {
-  return box.x_min - near <= p.x && p.x <= box.x_max + near && box.y_min - near <= p.y &&
-         p.y <= box.y_max + near;
 }
 
 }  // namespace
@@ -59,7 +55,7 @@ std::vector<Bounds> OneWay::barring() const {
 bool OneWay::bars(const Point& middle, double length, int sense) const {
   return std::any_of(streets_.begin(), streets_.end(), [&](const Street& street) {
     return street.bars[static_cast<std::size_t>(sense)] &&
-           is_near(street.box, middle, std::max(street.near, 0.0)) &&
+           contains(geometry::widened(street.box, std::max(street.near, 0.0)), middle) &&
            geometry::distance_from_border(street.area, middle) <=
                street.near - length / 2 - slack_of_sides;
   });
@@ -76,7 +72,8 @@ bool OneWay::forbids(const Point& centre, double off, double heading, double tur
     };
     const bool is_astray =
         (only < 0 || is_wrong(heading)) && (only > 0 || is_wrong(heading + std::numbers::pi));
-    return is_astray && is_near(street.box, centre, std::max(street.near, 0.0)) &&
+    return is_astray &&
+           contains(geometry::widened(street.box, std::max(street.near, 0.0)), centre) &&
            geometry::distance_from_border(street.area, centre) <=
                street.near - off - slack_of_sides;
   });

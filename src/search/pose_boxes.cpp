@@ -39,11 +39,6 @@ Vehicle core_of(Vehicle vehicle, double along, double across) {
   return vehicle;
 }
 
-bool is_within(const Bounds& bounds, const Point& point) {
-  return point.x >= bounds.x_min && point.x <= bounds.x_max && point.y >= bounds.y_min &&
-         point.y <= bounds.y_max;
-}
-
 }  // namespace
 
 PoseBoxes::PoseBoxes(const Task& task, double side, double longest, GearSign only)
@@ -221,7 +216,7 @@ bool PoseBoxes::is_hit(const Pose& middle) const {
   if (!core_) return false;
   const auto [sin, cos] = base::sin_cos(middle.heading);
   const Pose core{middle.x + ahead_ * cos, middle.y + ahead_ * sin, middle.heading};
-  return is_within(task_.world->local().bounds, {core.x, core.y}) && !core_->is_free(Local(core));
+  return contains(task_.world->local().bounds, {core.x, core.y}) && !core_->is_free(Local(core));
 }
 
 /// Whether one-way streets forbid to move at all poses of the box.
