@@ -66,8 +66,8 @@ export function paintBounds(context, view, {bounds: {x, y}, inside}, colours) {
 
 const images = new WeakMap();
 
-/** Cells of a map as an image in one colour; `opacities` has one value from 0 to 255 for each. It is kept with `owner`. */
-function imageOf(owner, {columns, rows}, colour, opacities) {
+/** Cells of a map as an image in one colour. `opacityOf(value, i)`, from 0 to 255, is asked once of each cell's value: the image is kept with `owner`. */
+function imageOf(owner, {columns, rows}, colour, values, opacityOf) {
   const kept = images.get(owner);
   if (kept?.colour === colour) return kept.canvas;
   const canvas = document.createElement('canvas');
@@ -77,7 +77,7 @@ function imageOf(owner, {columns, rows}, colour, opacities) {
   context.fillRect(0, 0, 1, 1);
   const [r, g, b] = context.getImageData(0, 0, 1, 1).data;
   const image = context.createImageData(columns, rows);
-  opacities.forEach((opacity, i) => image.data.set([r, g, b, opacity], 4 * i));
+  values.forEach((value, i) => image.data.set([r, g, b, opacityOf(value, i)], 4 * i));
   context.putImageData(image, 0, 0);
   images.set(owner, {colour, canvas});
   return canvas;
@@ -95,7 +95,7 @@ function paintCells(context, {origin, resolution}, image) {
 
 /** A map: obstacles dark, unknown cells half as much. */
 export function paintMap(context, {grid}, colours) {
-  paintCells(context, grid, imageOf(grid, grid, colours.wall, grid.cells.map((cell) => [0, 255, 110][cell])));
+  paintCells(context, grid, imageOf(grid, grid, colours.wall, grid.cells, (cell) => [0, 255, 110][cell]));
 }
 
 /** Masks, faintly: cells that are obstacles in the colour of walls; those with a speed or price in that of kerbs, the more so the fuller. */
@@ -104,7 +104,7 @@ export function paintMasks(context, masks, colours) {
     const {grid, percents} = mask.map;
     const isWall = blocks(mask);
     const opacityOf = isWall ? (_, i) => (grid.cells[i] === 1 ? 115 : 0) : (percent) => (percent > 100 || percent === 0 ? 0 : 40 + percent);
-    paintCells(context, grid, imageOf(mask, grid, isWall ? colours.wall : colours.kerb, percents.map(opacityOf)));
+    paintCells(context, grid, imageOf(mask, grid, isWall ? colours.wall : colours.kerb, percents, opacityOf));
   }
 }
 
