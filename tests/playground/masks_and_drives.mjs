@@ -24,7 +24,7 @@ const masks = 'masks:\n  - {map: maps/walls.yaml, as: obstacles}\n  - {map: pric
 const scenario = 'name: masked\nvehicle: van\nbounds: {x: [-10, 30], y: [-15, 15]}\nstart: {x: 0, y: 0, heading: 0}\ngoal: {x: 20, y: 2, heading: 0}\nobstacles: []\n';
 const all = [...walls, ...price, ...speed];
 
-/** `help`: {expect, found, click, choose, picture} of the test that opens the page. */
+/** `help`: {expect, found, click, choose, plays, picture} of the test that opens the page. */
 export async function takesMasksAndDrives(page, help) {
   await namesWhatIsMissing(page, help);
   await gradesShades(page, help);
@@ -113,10 +113,10 @@ async function keepsToMasks(page, help) {
 }
 
 /** The truck stands on the weighbridge of the depot for a while, and is slow on its ramp. */
-async function showsStops(page, {expect, found, click, choose, picture}) {
+async function showsStops(page, {expect, found, click, choose, plays, picture}) {
   await choose(page, 'scenario', 'Depot');
   await found(page);
-  await click(page, 'play');
+  await plays(page);
   await page.until('vandplanPage.drive?.at > 70');
   const {stops, slow} = await page.value(`(() => { const {stops, rows} = vandplanPage.drive; let slow = 0;
     for (let i = 0; i < rows.length; i += 7) if (rows[i + 2] > 48 && rows[i + 2] < 78 && rows[i + 3] < 20) slow = Math.max(slow, Math.abs(rows[i + 6]));

@@ -428,7 +428,7 @@ async function onADesk(browser) {
   await opensFiles(page);
   await drawsOutlines(browser, page, size);
   await takesGoalsAndZones(page, {expect, found, click, dropped, picture});
-  await takesMasksAndDrives(page, {expect, found, click, choose, picture});
+  await takesMasksAndDrives(page, {expect, found, click, choose, plays, picture});
   await saves(page);
   await parks(page);
   await links(browser, page, size);
