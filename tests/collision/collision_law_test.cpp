@@ -106,7 +106,7 @@ Case any_case(Rng& rng) {
 }
 
 TEST(CollisionLaw, WhatIsAcceptedIsValidAndWhatIsClearIsAccepted) {
-  constexpr int count = 40000;
+  constexpr int count = 20000;
   int accepted = 0;
   int barely_accepted = 0;  // within 4 mm of an obstacle
   int rejected = 0;
@@ -199,7 +199,7 @@ TEST(CollisionLaw, SidesMayEndFarAway) {
 }
 
 TEST(CollisionLaw, AMarginIsKeptAndNoMoreThanThat) {
-  constexpr int count = 8000;
+  constexpr int count = 4000;
   int accepted = 0;
   int barely_accepted = 0;  // within 4 mm of the margin
   int rejected = 0;

@@ -56,7 +56,7 @@ void expect_law(const Vehicle& vehicle, const OccupancyGrid& grid, const Path& p
 }
 
 TEST(MapLaw, WhatIsAcceptedIsValidAndWhatIsClearIsAccepted) {
-  constexpr int count = 15000;
+  constexpr int count = 8000;
   Counts counts;
   for_each_case(1, count, [&](Rng& rng) {
     const Vehicle vehicle = any_body(rng);

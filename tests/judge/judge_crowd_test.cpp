@@ -311,7 +311,7 @@ void expect_verdict(const Vehicle& vehicle, const Surroundings& surroundings, co
 }
 
 TEST(JudgeCrowdLaw, VerdictClearanceAndPlaceAreThoseOfLookingEverywhere) {
-  constexpr int count = 3000;
+  constexpr int count = 1500;
   Verdicts verdicts;
   for_each_case(2, count, [&](Rng& rng) {
     Vehicle vehicle = any_vehicle(rng);

@@ -84,7 +84,7 @@ TEST(Clothoid, NumbersOutOfReasonEndInNoTime) {
 // ---- Laws ----
 
 TEST(ClothoidLaw, EndsWhereManySmallStepsEnd) {
-  for_each_case(1, 100000, [&](Rng& rng) {
+  for_each_case(1, 40000, [&](Rng& rng) {
     const Segment segment = chance(0.5, rng) ? drivable_clothoid(rng) : any_clothoid(60, rng);
     expect_as_slow(uniform_pose(around, rng), segment, 1e-12 * (1 + std::abs(segment.length)));
   });

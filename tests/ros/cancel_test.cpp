@@ -94,7 +94,7 @@ TEST(RosCancel, AStormOfCancelsLeavesThePlannerInOrder) {
   planner.take(room.view());
   Request request = small_request(left, right);
   request.options.budget = {.time_limit = 1000.0};
-  for (int i = 0; i < cases(2000); ++i) {
+  for (int i = 0; i < cases(1000); ++i) {
     room.at(5 + i % 50, 100) = static_cast<std::uint8_t>(i % 2 == 0 ? 254 : i % 253);
     planner.take(room.view());
     const std::chrono::duration<double> after(uniform(0, 1e-3, rng));

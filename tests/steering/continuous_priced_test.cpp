@@ -84,7 +84,7 @@ double cheapest(const ContinuousCase& c, const Prices& prices, int gear_changes,
 }
 
 TEST(ContinuousPriced, WordsAreDrivableAndShortEnough) {
-  for_each_continuous_case(1, 100'000, [](const ContinuousCase& c, Rng& rng) {
+  for_each_continuous_case(1, 40'000, [](const ContinuousCase& c, Rng& rng) {
     const double longest =
         c.steering.length(c.pair.from, c.pair.to, c.query) * any_size(0.9, 4, rng);
     for (const int changes : {0, 1, 2}) {
