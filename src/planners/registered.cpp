@@ -64,7 +64,7 @@ PlannerAnswer plan_by_default(const Task& task, const PlanOptions& options,
 
 Planner anytime_planner() {
   return {.name = "anytime",
-          .summary = "lattice searches and random trees, every path shortened",
+          .summary = "lattice searches, every path shortened",
           .properties = {.family = "anytime",
                          .capabilities = {Capability::prices, Capability::time, Capability::gears,
                                           Capability::steering, Capability::steering_of_rigs,
@@ -73,6 +73,7 @@ Planner anytime_planner() {
                                           Capability::goal_sets, Capability::via, Capability::site},
                          .style = Style::driver,
                          .anytime = true},
+          // `region` is taken as by all planners, and changes nothing: no poses are drawn.
           .options = {region_option(), anytime::min_stroke_option()},
           .function = [](const Task& task, const PlanOptions& options) {
             return plan_by_default(task, options, {.site = options.site.get()});

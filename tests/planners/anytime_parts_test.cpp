@@ -16,7 +16,6 @@
 #include "planners/anytime/seeker.h"
 #include "planners/anytime/shorten.h"
 #include "planners/anytime/survey.h"
-#include "planners/anytime/trees.h"
 #include "search/grid_distance.h"
 #include "vandplan/judge.h"
 #include "vandplan/random.h"
@@ -29,7 +28,6 @@ using anytime::Lattice;
 using anytime::Rotation;
 using anytime::Shortener;
 using anytime::Survey;
-using anytime::TwoTrees;
 using search::Budget;
 using search::Connector;
 using search::CostRule;
@@ -67,19 +65,13 @@ void expect_valid(const Problem& problem, const CostRule& rule, const Route& rou
 using std::numbers::pi;
 constexpr CostRule rules[] = {{}, {1.0, 2.0, 3.0, 0}};
 
-TEST(TwoTrees, WhatTheyFindIsARoute) {
-  for_each_case(1, 100, [](Rng& rng) {
-    const Problem problem = random_problem(rng);
-    const CostRule& rule = rules[rng() % 2];
-    Connector connector(problem.task(), rule);
-    TwoTrees trees(problem.task(), Local(Bounds{-40, 40, -40, 40}), connector, connector, 0.5,
-                   rng());
-    for (int i = 0; i < 300; ++i) {
-      if (!trees.step()) continue;
-      expect_valid(problem, rule, trees.route());
-      return;
-    }
-  });
+/// A complete guide to the goal.
+GridDistance guide_of(const Problem& problem) {
+  GridDistance guide(problem.task(), {-50, 50, -50, 50}, problem.task().goal, problem.task().start,
+                     {.side = 1.0 * problem.vehicle().width});
+  while (guide.step()) {
+  }
+  return guide;
 }
 
 TEST(Lattice, EveryRouteIsValidAndCheaperThanTheOneBefore) {
@@ -87,10 +79,7 @@ TEST(Lattice, EveryRouteIsValidAndCheaperThanTheOneBefore) {
     const Problem problem = random_problem(rng);
     const CostRule& rule = rules[rng() % 2];
     Connector connector(problem.task(), rule);
-    GridDistance guide(problem.task(), {-50, 50, -50, 50}, problem.task().goal,
-                       problem.task().start, {.side = 1.0 * problem.vehicle().width});
-    while (guide.step()) {
-    }
+    GridDistance guide = guide_of(problem);
     Lattice lattice(problem.task().start, problem.task().goal, {}, {12, 0.5, 2.0}, guide,
                     connector);
     double cost = std::numeric_limits<double>::infinity();
@@ -302,13 +291,14 @@ TEST(Shortener, TheCostFallsAndTheRouteStaysValid) {
     const Problem problem = random_problem(rng);
     const CostRule& rule = rules[rng() % 2];
     Connector connector(problem.task(), rule);
-    TwoTrees trees(problem.task(), Local(Bounds{-40, 40, -40, 40}), connector, connector, 0.5,
-                   rng());
+    GridDistance guide = guide_of(problem);
+    Lattice lattice(problem.task().start, problem.task().goal, {}, {12, 0.5, 2.0}, guide,
+                    connector);
     int tries = 0;
-    while (!trees.step() && ++tries < 300) {
+    while (!lattice.step() && ++tries < 400 && !lattice.is_exhausted()) {
     }
-    if (tries == 300) return;
-    Shortener shortener(connector, trees.route(), rng());
+    if (lattice.route().legs.empty()) return;
+    Shortener shortener(connector, lattice.route(), rng());
     double cost = shortener.route().cost;
     for (int i = 0; i < 500; ++i) {
       const bool cheaper = shortener.step();

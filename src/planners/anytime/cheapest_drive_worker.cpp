@@ -18,7 +18,7 @@ CheapestDriveWorker::CheapestDriveWorker(const Task& task, const planning::Prici
     : cheapest_(task, pricing.rule(), seed, cost_of_route(pricing),
                 bends ? pricing.measure() : Bender::Measure{}) {}
 
-// [8b] Makes the cheapest route cheaper, judged by the whole drive.
+// [7b] Makes the cheapest route cheaper, judged by the whole drive.
 Found CheapestDriveWorker::work(std::int64_t iterations, const Told& told, const Budget& budget) {
   Found found;
   if (told.best == nullptr) return found;

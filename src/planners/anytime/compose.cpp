@@ -38,7 +38,6 @@ constexpr double slack_of_both = 1e-2;
 namespace stream {
 constexpr std::uint64_t search_from_goal = 0;
 constexpr std::uint64_t search_from_start = 1;
-constexpr std::uint64_t trees = 2;
 constexpr std::uint64_t refine = 3;
 constexpr std::uint64_t detours = 5;
 constexpr std::uint64_t bend = 6;
@@ -71,7 +70,6 @@ class Composer {
                                                Make make) const;
   void take_known(const Path& known);
   void add_search(std::string_view name, std::uint64_t stream, Root root, const Row& row);
-  void add_trees();
   void add_length_prover();
   void add_detours();
   void add_survey();
@@ -85,7 +83,6 @@ class Composer {
   std::span<const NamedSource> sources_;
   std::unique_ptr<const planning::Pricing> pricing_;
   const CostRule& rule_;
-  Bounds region_;                     // sampling region of the trees
   bool is_far_;                       // whether the task goes over a whole site
   Scope scope_;                       // part of a route that shortening may change
   bool bends_;                        // whether bending may make routes cheaper
@@ -104,7 +101,6 @@ Composer::Composer(const Task& task, const PlanOptions& options, double time_pri
       sources_(given.sources),
       pricing_(std::make_unique<planning::Pricing>(task, options.cost, time_price)),
       rule_(pricing_->rule()),
-      region_(sampling_region(task, planning::region_of(options))),
       is_far_(search::is_site(task, sampling_region(task, Region::scene))),
       scope_(is_far_ ? Scope::windows : Scope::all),
       bends_((!rule_.is_length() || is_continuous()) && !pricing_->counts_time() && !is_far_),
@@ -196,7 +192,7 @@ std::unique_ptr<Seeker> Composer::seeker(const Task& task, std::uint64_t stream,
   return std::make_unique<Seeker>(task, rule_, scope_, seed(stream), make);
 }
 
-// [3] [4] Adds lattice searches from one end.
+// [2] [3] Adds lattice searches from one end.
 void Composer::add_search(std::string_view name, std::uint64_t stream, Root root, const Row& row) {
   auto worker = seeker(task_, stream, [&task = task_, &rule = rule_, root, scope = scope_] {
     return std::make_unique<Ladder>(task, rule, root, scope);
@@ -204,24 +200,7 @@ void Composer::add_search(std::string_view name, std::uint64_t stream, Root root
   add(name, std::move(worker), share(row));
 }
 
-// [2] Adds the trees, which work until there is a route. With continuous curvature, lattices find
-// routes sooner, so trees begin late. In one gear alone they begin early, as no shunt makes up for
-// what a lattice overlooks.
-void Composer::add_trees() {
-  const std::uint64_t own_seed = stream_seed(seed(stream::trees), 0);
-  auto worker =
-      seeker(task_, stream::trees, [&task = task_, &rule = rule_, region = region_, own_seed] {
-        return std::make_unique<Attempts>(task, rule, region, own_seed);
-      });
-  const bool is_early = is_far_ || !is_continuous() || !rule_.allows_both();
-  const std::int64_t early = is_early ? shares::early_trees : 0;
-  add("trees", std::move(worker), [early](const Progress& now) -> std::int64_t {
-    constexpr Turn late = shares::late_trees;
-    return now.has_route ? 0 : now.rounds < late.first_round ? early : late.share;
-  });
-}
-
-// [7] Adds the length prover. The bound around obstacles comes before the bound with headings. Once
+// [6] Adds the length prover. The bound around obstacles comes before the bound with headings. Once
 // the best cost hardly falls, proving gets more of the time.
 void Composer::add_length_prover() {
   auto prover = std::make_unique<LengthProver>(task_, rule_.only_gear());
@@ -242,7 +221,7 @@ void Composer::add_length_prover() {
   };
 }
 
-// [6b] Adds the detours, which have rounds of their own.
+// [5b] Adds the detours, which have rounds of their own.
 void Composer::add_detours() {
   const std::uint64_t own_seed = stream_seed(seed(stream::detours), 0);
   auto worker = seeker(task_, stream::detours, [&task = task_, &rule = rule_, own_seed] {
@@ -253,7 +232,7 @@ void Composer::add_detours() {
   });
 }
 
-// [6c] Adds the survey. With continuous curvature it plans the relaxed task.
+// [5c] Adds the survey. With continuous curvature it plans the relaxed task.
 void Composer::add_survey() {
   const Task& task = has_relaxed() ? *portfolio_.relaxed : task_;
   auto worker = seeker(task, stream::survey,
@@ -274,7 +253,7 @@ void Composer::add_survey() {
   slot.is_relaxed = has_relaxed();
 }
 
-// [9] Adds the wall prover, which works while there is no route.
+// [8] Adds the wall prover, which works while there is no route.
 void Composer::add_wall_prover() {
   const auto never = [](const Progress&) { return 0; };
   Slot& slot = add("wall prover",
@@ -290,7 +269,7 @@ void Composer::add_wall_prover() {
   };
 }
 
-// [8b] Adds the worker that judges routes by the whole drive.
+// [7b] Adds the worker that judges routes by the whole drive.
 void Composer::add_cheapest_drive() {
   Slot& slot = add("cheapest drive",
                    std::make_unique<CheapestDriveWorker>(task_, *pricing_, pricing_->is_time(),
@@ -332,7 +311,6 @@ Portfolio Composer::portfolio() && {
              shares::search_from_goal);
   add_search("search from the start", stream::search_from_start, Root::start,
              shares::search_from_start);
-  add_trees();
   if (is_far_ || rule_.is_length()) {
     add("refine", std::make_unique<Refiner>(task_, rule_, scope_, seed(stream::refine)),
         share(shares::refine));

@@ -17,7 +17,7 @@ Found LengthProver::work(std::int64_t iterations, const Told& told, const search
     flood_.emplace(task_, only_);
   }
   const auto step = [this]() -> std::optional<double> {
-    geodesic_is_final_ = !geodesic_->step();  // [7]
+    geodesic_is_final_ = !geodesic_->step();  // [6]
     return std::nullopt;
   };
   return work_in_steps(
@@ -47,7 +47,7 @@ std::int64_t WallProver::prove(std::int64_t steps, const search::Budget& budget)
   while (all < steps && !budget.is_interrupted() && barrier_->step()) ++all;
   for (search::Enclosure& enclosure : enclosures_) {
     std::int64_t done = 0;
-    while (done < steps && !budget.is_interrupted() && enclosure.step()) ++done;  // [9]
+    while (done < steps && !budget.is_interrupted() && enclosure.step()) ++done;  // [8]
     all += done;
   }
   return all;

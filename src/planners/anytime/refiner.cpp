@@ -10,7 +10,7 @@ Found Refiner::work(std::int64_t iterations, const Told& told, const Budget& bud
     refined_.emplace(connector_, *told.best, stream_seed(seed_, ++routes_), scope_);
   }
   const auto step = [this]() -> std::optional<double> {
-    refined_->step();  // [6]
+    refined_->step();  // [5]
     if (refined_->cost() >= best_cost_) return std::nullopt;
     return best_cost_ = refined_->cost();
   };

@@ -183,7 +183,7 @@ void Run::work_together() {
   });
   for (const std::int64_t made : proofs) proofs_of_round_ += made;
   if (has_path()) ++rounds_with_route_;
-  for (std::size_t i = 0; i < slots.size(); ++i) {  // [8]
+  for (std::size_t i = 0; i < slots.size(); ++i) {  // [7]
     if (slots[i].is_relaxed) {
       merge_relaxed(found[i]);
     } else {
@@ -249,13 +249,13 @@ void Run::make_drivable() {
 }
 
 std::optional<std::vector<Segment>> Run::path() {
-  make_drivable();  // [11]
+  make_drivable();  // [10]
   if (!has_path()) return std::nullopt;
   return segments_;
 }
 
 PlannerAnswer Run::answer() {
-  if (route_ && is_optimal()) {  // [10]
+  if (route_ && is_optimal()) {  // [9]
     route_ = portfolio_.finisher.with_fewer_changes(*route_, portfolio_.bound.shortest(), seed_,
                                                     budget_);
   }

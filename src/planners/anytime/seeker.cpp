@@ -84,7 +84,7 @@ bool Seeker::begin() {
 // The cost of a new best route, if there is one.
 std::optional<double> Seeker::step() {
   if (candidate_) {
-    candidate_->step();  // [5]
+    candidate_->step();  // [4]
     ++trials_;
   } else if (!begin()) {
     return std::nullopt;

@@ -33,8 +33,8 @@ struct Row {
 
 namespace shares {
 
-inline constexpr Row search_from_goal{{1, 64}, 64, 160, 24, {1, 48}, {1, 64}, 256, 256};
-inline constexpr Row search_from_start{{2, 64}, 64, 160, 24, {6, 48}, {64, 64}, 16, 16};
+inline constexpr Row search_from_goal{{0, 64}, 64, 160, 24, {1, 48}, {0, 64}, 256, 256};
+inline constexpr Row search_from_start{{1, 64}, 64, 160, 24, {6, 48}, {64, 64}, 16, 16};
 inline constexpr Row refine{{}, 256, 0, 0, {0, 48}, {}, 256, 256};
 inline constexpr Row length_prover{{}, 2, 2, 1, {0, 1}, {}, 4, 1};
 inline constexpr Row bend{{}, 24, 0, 96, {0, 24}};
@@ -46,12 +46,6 @@ inline constexpr std::int64_t first_glance = 200;
 /// Share of the survey in its first full pass, or in a glance that is not relaxed [iterations a
 /// round].
 inline constexpr std::int64_t first_pass = 100;
-
-/// Samples of the trees in each of the first rounds, while there is no route.
-inline constexpr std::int64_t early_trees = 16;
-/// Share of the trees in later rounds. Trees without a route by then are in a tight place, where
-/// only lattices get through.
-inline constexpr Turn late_trees{16, 1};
 
 /// Rounds from one round of detours to the next, over a whole site. Detours and refining have
 /// different rounds, because each would lose what the other gained in the same round.

@@ -41,8 +41,6 @@ constexpr std::array far_searches = {FarSearch{{12, 0.5, 2.0, false, far_shot}, 
                                      FarSearch{{12, 0.5, 2.0, false, far_shot}, 1.0},
                                      FarSearch{{24, 0.25, 1.5, false, far_shot}, 1.0}};
 constexpr double slack = 1.05;  // a route may cost so many times the best: shortening helps
-constexpr std::array far_shares = {1.0, 0.4};  // shares of far samples, for attempts in turns
-constexpr std::int64_t first_patience = 256;   // samples of the first attempt
 
 // The rule without prices of steering and clearance, for a first route: shortening takes care of
 // them.
@@ -221,41 +219,6 @@ Route Ladder::route() const {
   Route route = root_ == Root::start ? found : reversed(found);
   route.cost = cost_of(rule_, route);
   return route;
-}
-
-Attempts::Attempts(const Task& task, const CostRule& rule, const Bounds& region, std::uint64_t seed)
-    : task_(task),
-      region_(region),
-      rule_(rule),
-      forth_(task, length_rule(rule)),
-      back_(task, reversed(length_rule(rule), 0)),
-      seed_(seed),
-      patience_(first_patience) {
-  next_attempt();
-}
-
-void Attempts::next_attempt() {
-  const double far_share = far_shares[attempt_ % far_shares.size()];
-  trees_.emplace(task_, region_, forth_, back_, far_share, stream_seed(seed_, attempt_));
-  ++attempt_;
-  samples_ = 0;
-  met_ = false;
-}
-
-Route Attempts::route() const {
-  Route route = trees_->route();
-  if (!rule_.is_length()) route.cost = cost_of(rule_, route);
-  return route;
-}
-
-bool Attempts::step() {
-  if (met_ || samples_ == patience_) {
-    if (!met_ && attempt_ % far_shares.size() == 0) patience_ *= 2;
-    next_attempt();
-  }
-  ++samples_;
-  met_ = trees_->step();
-  return met_;
 }
 
 }  // namespace vandplan::anytime

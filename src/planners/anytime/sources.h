@@ -12,7 +12,6 @@
 #include "planners/anytime/shorten.h"
 #include "planners/anytime/source.h"
 #include "planners/anytime/strung.h"
-#include "planners/anytime/trees.h"
 #include "search/grid_distance.h"
 #include "search/route.h"
 
@@ -77,33 +76,6 @@ class Ladder final : public Source {
   std::optional<Lattice> lattice_;  // current search, where `strung_` is none
   bool minds_prices_ = false;       // whether the current searches go by price
   std::optional<Rotation> rotation_;
-};
-
-/// Pairs of trees, one attempt after the other.
-class Attempts final : public Source {
- public:
-  /// Far samples are drawn in `region`. The task outlives the attempts.
-  Attempts(const Task& task, const CostRule& rule, const Bounds& region, std::uint64_t seed);
-
-  [[nodiscard]] bool step() override;
-  [[nodiscard]] Route route() const override;
-  [[nodiscard]] std::int64_t solves() const override { return forth_.solves() + back_.solves(); }
-  [[nodiscard]] std::int64_t checks() const override { return forth_.checks() + back_.checks(); }
-  [[nodiscard]] std::size_t size() const override { return trees_->size(); }
-
- private:
-  void next_attempt();
-
-  const Task& task_;
-  Bounds region_;
-  CostRule rule_;           // prices of the route
-  Connector forth_, back_;  // steer the trees by length, from the start and from the goal
-  std::uint64_t seed_;
-  std::uint64_t attempt_ = 0;
-  std::int64_t patience_;     // samples after which an attempt is given up
-  std::int64_t samples_ = 0;  // samples of this attempt
-  bool met_ = false;          // whether the trees of this attempt have met
-  std::optional<TwoTrees> trees_;
 };
 
 }  // namespace vandplan::anytime
