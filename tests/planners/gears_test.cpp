@@ -140,7 +140,7 @@ TEST_P(HonoursGears, EveryPlannerThatSaysSo) {
 
 INSTANTIATE_TEST_SUITE_P(OneByOne, HonoursGears,
                          testing::Values(AllowedGears::forward, AllowedGears::reverse),
-                         [](const auto& info) { return std::string(name_of(info.param)); });
+                         [](const auto& one) { return std::string(name_of(one.param)); });
 
 // On open ground the path of Dubins is the answer, and known to be the best one.
 TEST(OneGear, OnOpenGroundItsShortestPathIsThatOfDubins) {
