@@ -57,6 +57,10 @@ class Yard {
     return taken(this.#core.isFreeIn(this.#number, withVehicle(query)));
   }
 
+  siteTable(query = {}, onProgress) {
+    return taken(this.#core.siteTableIn(this.#number, withVehicle(query), onProgress));
+  }
+
   close() {
     this.#core.closeYard(this.#number);
   }
@@ -79,6 +83,9 @@ export function functionsOf(core) {
     prices: (style, vehicle) => taken(core.prices(style, vehicleOf(vehicle))),
     yard: (scenario) => new Yard(core, scenario),
     plan: (scenario, {planner, ...options} = {}) => inYard(scenario, (yard) => yard.plan({planner, options})),
+    siteTable: (scenario, query, onProgress) => inYard(scenario, (yard) => yard.siteTable(query, onProgress)),
+    siteInfo: (site) => taken(core.siteInfo(site)),
+    siteCosts: (site, poses, goal = 0) => taken(core.siteCosts(site, poses, goal)),
     check: (scenario, path, claims = {}) => inYard(scenario, (yard) => yard.check({path, ...claims})),
     sample: (path, step = 0.1) => taken(core.sampledPath(path, step)),
     // A scenario has a start, a vehicle has none.

@@ -20,8 +20,7 @@ function shortened(options, part) {
   return {...options, time_limit: seconds && part * seconds, max_iterations: iterations && Math.ceil(part * iterations)};
 }
 
-async function answer({scenario, options, rounds}) {
-  const vandplan = await loading;
+async function plan(vandplan, {scenario, options, rounds}) {
   for (const part of rounds ? parts : []) {
     const result = vandplan.plan(scenario, shortened(options, part));
     if (result.path) port.postMessage({progress: result});
@@ -29,9 +28,13 @@ async function answer({scenario, options, rounds}) {
   return vandplan.plan(scenario, options);
 }
 
-port.onmessage = async ({data}) => {
+const siteTable = (vandplan, {scenario, query}) => vandplan.siteTable(scenario, query, (progress) => port.postMessage({progress}));
+
+const works = {plan, siteTable};
+
+port.onmessage = async ({data: {work, ...job}}) => {
   try {
-    port.postMessage({result: await answer(data)});
+    port.postMessage({result: await works[work](await loading, job)});
   } catch ({where, problem, message}) {
     port.postMessage({error: {where, problem, message}});
   }

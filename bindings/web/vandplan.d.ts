@@ -259,8 +259,9 @@ export interface PlanOptions {
   style?: 'driver' | 'shortest';
   gears?: Gears;
   /**
-   * Bytes of a table of the site, as `vandplan table site` writes them (.vst). The default planner begins with the way of
-   * the table; searches with the estimate "site" look up its costs. A yard reads the same array once.
+   * Bytes of a table of the site, as `siteTable` makes and `vandplan table site` writes them (.vst). The default planner
+   * begins with the way of the table; searches with the estimate "site" look up its costs. A yard reads the same array
+   * once.
    */
   site?: Uint8Array;
   [key: string]: number | string | boolean | null | undefined | Uint8Array;
@@ -389,6 +390,40 @@ export interface Ends {
   vehicle?: Vehicle | string;
 }
 
+/** What a table of a site is made of. */
+export interface SiteQuery {
+  /** Goals of the table; by default the goal of the scenario, unless it is a set. */
+  goals?: Pose[];
+  /** Options of the plans that the table is for: prices, gears and margin count. */
+  options?: PlanOptions;
+  /** Headings of a full turn: 8 to 256, 36 by default. */
+  headings?: number;
+  /** Side of a cell of places [turning radii]: 0.01 to 1, 0.12 by default. */
+  cell?: number;
+}
+
+/** What a table of a site holds. */
+export interface SiteInfo {
+  /** Goals of the table, as they were given. */
+  goals: Pose[];
+  /** Box of the places that the table knows, but for less than a cell [m]. */
+  bounds: {x: Point; y: Point};
+  /** Side of a cell of places [m]. */
+  cell: number;
+  /** Headings of a full turn. */
+  headings: number;
+}
+
+/** Poses by columns of equal length, each an array or a typed one. */
+export interface SitePoses {
+  /** [m] */
+  x: ArrayLike<number>;
+  /** [m] */
+  y: ArrayLike<number>;
+  /** Headings [rad]. If they are missing, each cost is the least of all headings. */
+  heading?: ArrayLike<number>;
+}
+
 /** Scenario whose world is built once, for many queries. */
 export interface Yard {
   /** Plans a path. `warm_start`: path of a similar problem, along which the first path is sought; only for "anytime". */
@@ -399,6 +434,8 @@ export interface Yard {
   drive(query: Ends & {path: Path; step?: number}): Float64Array;
   /** Whether vehicle and trailer keep the margin [m] at a pose. */
   isFree(query: {pose: EndPose; vehicle?: Vehicle | string; margin?: number}): boolean;
+  /** Makes a table of the site, as `siteTable` of the module. */
+  siteTable(query?: SiteQuery & {vehicle?: Vehicle | string}, onProgress?: (goals: number) => void): Uint8Array;
   /** Frees the memory of the world. Later queries throw InputError. */
   close(): void;
 }
@@ -419,6 +456,18 @@ export interface Vandplan {
   check(scenario: Scenario, path: Path, claims?: Claims): Check;
   /** Builds the world of a scenario for many queries. */
   yard(scenario: Scenario): Yard;
+  /**
+   * Makes a table of what driving to the goals costs from everywhere, for plans with the option `site`. Its bytes are
+   * those of a file (.vst). Without trailers and moving obstacles. `onProgress` gets the number of goals that are done.
+   */
+  siteTable(scenario: Scenario, query?: SiteQuery, onProgress?: (goals: number) => void): Uint8Array;
+  /** Goals and cells of a table of a site. */
+  siteInfo(site: Uint8Array): SiteInfo;
+  /**
+   * Approximate cost from each pose to a goal of a table, by number, 0 by default [m]: that of the pose that its cell
+   * keeps. Infinity outside of the table, and where no way was found. The same array as before is not read again.
+   */
+  siteCosts(site: Uint8Array, poses: SitePoses, goal?: number): Float64Array;
   /** Rows s, x, y, heading, curvature, direction of a path, at most `step` metres apart (0.1 by default). */
   sample(path: Path, step?: number): Float64Array;
   /**

@@ -9,25 +9,33 @@ import {InputError} from './vandplan.mjs';
 
 const errorOf = ({where, problem, message}) => (where === undefined ? new Error(message) : new InputError({where, problem}));
 
-/** Plans in one thread, one plan after the other. A plan that is called off ends with its thread. */
+/** Works in one thread, one job after the other. A job that is called off ends with its thread. */
 class Planning {
   #thread = null;
-  #jobs = []; // plans that are asked for; the thread works on the first one
+  #jobs = []; // what is asked for; the thread works on the first one
 
-  plan(scenario, options = {}, {onProgress, signal} = {}) {
+  plan(scenario, options = {}, watch = {}) {
+    return this.#ask({work: 'plan', scenario, options, rounds: Boolean(watch.onProgress)}, watch);
+  }
+
+  siteTable(scenario, query = {}, watch = {}) {
+    return this.#ask({work: 'siteTable', scenario, query}, watch);
+  }
+
+  close() {
+    this.#fail(new Error('the worker is closed'));
+  }
+
+  #ask(query, {onProgress, signal}) {
     return new Promise((resolve, reject) => {
       signal?.throwIfAborted();
-      const job = {query: {scenario, options, rounds: Boolean(onProgress)}, resolve, reject, onProgress};
+      const job = {query, resolve, reject, onProgress};
       const abort = () => this.#leave(job, () => reject(signal.reason));
       job.forget = () => signal?.removeEventListener('abort', abort);
       signal?.addEventListener('abort', abort);
       this.#jobs.push(job);
       if (this.#jobs.length === 1) this.#send();
     });
-  }
-
-  close() {
-    this.#fail(new Error('the worker is closed'));
   }
 
   #send() {
@@ -50,7 +58,7 @@ class Planning {
 
   #took({progress, result, error}) {
     const [job] = this.#jobs;
-    if (progress) job.onProgress(progress);
+    if (progress) job.onProgress?.(progress);
     else this.#next(() => (error ? job.reject(errorOf(error)) : job.resolve(result)));
   }
 

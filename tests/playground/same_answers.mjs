@@ -179,7 +179,65 @@ for (const again of [site, site, new Uint8Array(site)]) {
 kept.close();
 const worker = startWorker();
 expect(vandplan.hash((await worker.plan(siteYard, withSite)).path) === siteHash, 'so does a worker');
+
+// The module makes tables itself: the same bytes, also of several goals and with other options, and in a worker.
+const isTable = (own, theirs, what) => expect(own instanceof Uint8Array && theirs.equals(own), `${what}: not the bytes of the command line`);
+isTable(vandplan.siteTable(siteYard), site, 'a table');
+const docks = [siteYard.goal, {x: -12, y: -20, heading: 1.5}];
+writeFileSync(join(work, 'docks.csv'), `x,y,heading\n${docks.map(({x, y, heading}) => `${x},${y},${heading}`).join('\n')}\n`);
+execFileSync(program, ['table', 'site', siteFile, '--goals', join(work, 'docks.csv'), '--set', 'margin=0.4', '--set', 'reverse_weight=3', '--headings', '24', '--cell', '0.2',
+  '--output', join(work, 'docks.vst')], {stdio: 'ignore'});
+const toDocks = readFileSync(join(work, 'docks.vst'));
+const query = {goals: docks, options: {margin: 0.4, reverse_weight: 3}, headings: 24, cell: 0.2};
+const steps = [];
+isTable(vandplan.siteTable(siteYard, query, (goals) => steps.push(goals)), toDocks, 'a table of two goals');
+expect(steps.join() === '1,2', `each goal is told of: ${steps}`);
+const told = [];
+isTable(await worker.siteTable(siteYard, query, {onProgress: (goals) => told.push(goals)}), toDocks, 'a table of a worker');
+expect(told.join() === '1,2', `a worker tells of each goal: ${told}`);
+const wrongGoal = await worker.siteTable(siteYard, {goals: [{x: 0, y: 6, heading: 0}]}).catch((error) => error);
+expect(wrongGoal instanceof InputError && wrongGoal.where === 'goals[0]', `a worker refuses a goal in a wall: ${wrongGoal}`);
+const controller = new AbortController();
+const leftAlone = worker.siteTable(siteYard, {cell: 0.03, headings: 72}, {signal: controller.signal}).catch(({name}) => name);
+setTimeout(() => controller.abort(), 100);
+expect((await leftAlone) === 'AbortError', 'a table can be called off');
+isTable(await worker.siteTable(siteYard), site, 'a table after one that was called off');
 worker.close();
+
+// What a table says of poses: with a heading, and with the best one.
+const info = vandplan.siteInfo(toDocks);
+expect(JSON.stringify(info.goals) === JSON.stringify(docks) && info.headings === 24 && Math.abs(info.cell - 0.2 * vehicleOf('two-axle-truck').min_turning_radius) < 1e-9, `a table holds ${JSON.stringify(info)}`);
+expect(info.bounds.x[0] < -20 && info.bounds.x[1] > 15, `its box is ${JSON.stringify(info.bounds)}`);
+const between = docks.map(({x, y, heading}) => docks.map((_, goal) => vandplan.siteCosts(toDocks, {x: [x], y: [y], heading: [heading]}, goal)[0]));
+expect(between[0][0] < 2 && between[1][1] < 2 && between[0][1] > 25 && between[1][0] > 25, `from dock to dock it costs ${JSON.stringify(between)}`);
+let luck = 1;
+const random = (from, to) => from + (to - from) * ((luck = (luck * 16807) % 2147483647) / 2147483647);
+const many = Array.from({length: 400}, () => [random(-60, 60), random(-60, 60), random(-9, 9)]);
+const [xs, ys, turns] = [0, 1, 2].map((k) => many.map((pose) => pose[k]));
+for (const goal of [0, 1]) {
+  const best = vandplan.siteCosts(toDocks, {x: new Float32Array(xs), y: new Float64Array(ys)}, goal);
+  const least = new Float64Array(many.length).fill(Infinity);
+  for (let i = 0; i < 24; ++i) {
+    const heading = xs.map(() => docks[goal].heading + (i * 2 * Math.PI) / 24);
+    vandplan.siteCosts(toDocks, {x: new Float32Array(xs), y: ys, heading}, goal).forEach((cost, k) => (least[k] = Math.min(least[k], cost)));
+  }
+  expect(best.every((cost, i) => cost === least[i]), 'the best heading is the cheapest of all');
+  expect(best.some(Number.isFinite) && best.some((cost) => cost === Infinity), 'some places are known, some lie outside');
+}
+const costs = vandplan.siteCosts(site, {x: [0, 0, NaN, 900], y: [12, 6, 0, 0], heading: [0, 0, 0, 0]});
+expect(costs[0] < 1 && costs.subarray(1).every((cost) => cost === Infinity), `at the goal, in a wall, nowhere, outside: ${costs}`);
+const plain = vandplan.yard(siteYard);
+const ratios = [];
+many.forEach(([x, y, heading], i) => {
+  const start = {x: 0.6 * x, y: 0.5 * y, heading};
+  if (i >= 60 || !plain.isFree({pose: start})) return;
+  const [cost] = vandplan.siteCosts(site, {x: [start.x], y: [start.y], heading: [heading]});
+  const {cost: found} = plain.plan({start, options: {max_iterations: 1000, time_limit: null, steering: 'reeds-shepp'}});
+  if (found !== null && Number.isFinite(cost)) ratios.push(cost / found);
+});
+plain.close();
+const sorted = [...ratios].sort((a, b) => a - b);
+expect(ratios.length > 20 && Math.abs(sorted[sorted.length >> 1] - 1) < 0.1 && sorted[0] > 0.7 && sorted.at(-1) < 1.5, `costs are about those of paths: ${sorted.map((one) => one.toFixed(2))}`);
 rmSync(work, {recursive: true});
 
 // ---- what the module promises besides ----
@@ -210,6 +268,20 @@ refuses('map.cells', () => vandplan.plan({...yard, map: {origin: {x: 0, y: 0, he
 for (const wrong of ['yard.vst', new Uint8Array(200), site.subarray(0, 5000), 7]) refuses('site', () => vandplan.plan(siteYard, {...withSite, site: wrong}));
 refuses('site', () => vandplan.plan({...siteYard, vehicle: 'van'}, withSite));
 refuses('site', () => vandplan.plan(siteYard, {...withSite, planner: 'prm'}));
+refuses('goals', () => vandplan.siteTable(siteYard, {goals: []}));
+refuses('goals[1].heading', () => vandplan.siteTable(siteYard, {goals: [siteYard.goal, {x: 1, y: 2}]}));
+refuses('goals', () => vandplan.siteTable({...siteYard, goal: {...siteYard.goal, heading: 'any'}}));
+for (const headings of [7, 9.5, 1e9, NaN]) refuses('headings', () => vandplan.siteTable(siteYard, {headings}));
+refuses('cell', () => vandplan.siteTable(siteYard, {cell: 2}));
+refuses('margn', () => vandplan.siteTable(siteYard, {options: {margn: 1}}));
+refuses('query.margin', () => vandplan.siteTable(siteYard, {margin: 1}));
+refuses('moving', () => vandplan.siteTable({...siteYard, moving: [{outline: [[0, 0], [1, 0], [0, 1]], trajectory: [[0, 40, 40, 0]]}]}));
+for (const goal of [1, -1, 0.5, NaN]) refuses('goal', () => vandplan.siteCosts(site, {x: [0], y: [0]}, goal));
+refuses('poses', () => vandplan.siteCosts(site, {x: [0], y: [0, 1]}));
+refuses('poses', () => vandplan.siteCosts(site, {x: [0], y: [0], heading: []}));
+for (const x of [undefined, 7, 'x'.length]) refuses('poses.x', () => vandplan.siteCosts(site, {x, y: [0]}));
+refuses('site', () => vandplan.siteInfo(site.subarray(0, 5000)));
+refuses('site', () => vandplan.siteCosts('yard.vst', {x: [0], y: [0]}));
 const [walls, price] = masked.masks;
 refuses('masks[0].as', () => vandplan.plan({...masked, masks: [{...walls, as: 'walls'}]}));
 refuses('masks[0].as', () => vandplan.plan({...masked, masks: [{map: walls.map}]}));

@@ -31,10 +31,14 @@ async function main(): Promise<number> {
   // @ts-expect-error
   masks.push({map, as: 'walls'});
   vandplan.plan({...scenario, masks}, {site: new Uint8Array(1)});
+  const site = await startWorker().siteTable(scenario, {goals: [scenario.start], options: {margin: 0.2}}, {onProgress: (goals) => goals.toFixed()});
+  const [cost] = vandplan.siteCosts(site, {x: [0], y: new Float32Array(1)}, vandplan.siteInfo(vandplan.yard(scenario).siteTable({cell: 0.2})).goals.length);
+  // @ts-expect-error
+  vandplan.siteTable(scenario, {margin: 0.2});
   if (result.path) vandplan.drive(result.path, scenario).subarray(vandplan.drive(result.path, 'van', 0.1).length);
   // @ts-expect-error
   const none: number = result.cost;
-  return result.path ? vandplan.check(scenario, result.path).length : new InputError({where: 'a', problem: 'b'}).where.length;
+  return result.path ? vandplan.check(scenario, result.path).length + (cost ?? 0) : new InputError({where: 'a', problem: 'b'}).where.length;
 }
 main();
 `;
@@ -78,7 +82,8 @@ const vandplan = await require('vandplan').load();
 const named = (object) => Object.keys(object).sort().join(' ');
 expect(named(vandplan) === members.Vandplan.sort().join(' '), `the module has ${named(vandplan)}, its types ${members.Vandplan}`);
 const result = vandplan.plan({vehicle: 'two-axle-truck', bounds: {x: [-9, 9], y: [-9, 9]}, start: {x: 0, y: 0, heading: 0}, goal: {x: 5, y: 0, heading: 0}}, {max_iterations: 1});
-for (const [type, object] of [['Result', result], ['Check', result.check], ['Prices', vandplan.prices('driver', 'two-axle-truck')], ['PlannerInfo', vandplan.planners()[0]]]) {
+const site = vandplan.siteTable({vehicle: 'van', bounds: {x: [-9, 9], y: [-9, 9]}, start: {x: 0, y: 0, heading: 0}, goal: {x: 5, y: 0, heading: 0}}, {cell: 0.5});
+for (const [type, object] of [['SiteInfo', vandplan.siteInfo(site)], ['Result', result], ['Check', result.check], ['Prices', vandplan.prices('driver', 'two-axle-truck')], ['PlannerInfo', vandplan.planners()[0]]]) {
   expect(named(object) === members[type].sort().join(' '), `${type} has ${named(object)}, its type ${members[type]}`);
 }
 process.exit(faults ? 1 : 0);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <memory>
 
+#include "bindings/web/core/site.h"
 #include "bindings/web/core/values.h"
 #include "bindings/web/core/yard.h"
 #include "vandplan/input_error.h"
@@ -75,6 +76,26 @@ val drive_in(std::size_t yard, const val& query) {
 
 val is_free_in(std::size_t yard, const val& query) {
   return guarded([&] { return yard_at(yard).is_free(query); });
+}
+
+val site_table_in(std::size_t yard, const val& query, const val& progress) {
+  return guarded([&] { return yard_at(yard).site_table(query, progress); });
+}
+
+// ---- tables of a site ----
+
+/// The table with these bytes; the last one is kept.
+std::shared_ptr<const SiteTable> site_from(const val& bytes) {
+  static SiteReader reader;
+  return reader.read(bytes);
+}
+
+val site_info(const val& bytes) {
+  return guarded([&] { return object_of(*site_from(bytes)); });
+}
+
+val site_costs(const val& bytes, const val& poses, double goal) {
+  return guarded([&] { return costs_of(*site_from(bytes), poses, goal); });
 }
 
 // ---- paths ----
@@ -269,6 +290,9 @@ EMSCRIPTEN_BINDINGS(vandplan) {
   function("checkIn", &check_in);
   function("driveIn", &drive_in);
   function("isFreeIn", &is_free_in);
+  function("siteTableIn", &site_table_in);
+  function("siteInfo", &site_info);
+  function("siteCosts", &site_costs);
   function("sampledPath", &sampled_path);
   function("drivenPath", &driven_path);
   function("trailedPath", &trailed_path);

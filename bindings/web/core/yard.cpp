@@ -3,8 +3,6 @@
 #include "bindings/web/core/yard.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -14,8 +12,6 @@
 
 namespace vandplan::web {
 namespace {
-
-constexpr const char* site_key = "site";
 
 /// Planner options from an object of numbers, words and flags; null values are ignored, and the
 /// table of the site is left out.
@@ -35,19 +31,6 @@ PlanOptions options_from(const Planner& planner, const val& given) {
     set_option(options, planner, key, val::global("String")(given[key]).as<std::string>());
   }
   return options;
-}
-
-/// Table of a site from the bytes of its file.
-std::shared_ptr<const SiteTable> site_from(const val& given) {
-  if (!val::global("ArrayBuffer").call<bool>("isView", given)) {
-    throw InputError(site_key, "expected the bytes of a table, a Uint8Array");
-  }
-  const val bytes =
-      val::global("Uint8Array").new_(given["buffer"], given["byteOffset"], given["byteLength"]);
-  const auto kept = std::make_shared<std::string>(bytes["length"].as<std::size_t>(), '\0');
-  auto* const begin = reinterpret_cast<std::uint8_t*>(kept->data());
-  val{emscripten::typed_memory_view(kept->size(), begin)}.call<void>("set", bytes);
-  return std::make_shared<const SiteTable>(site_table_from_bytes(*kept, kept, site_key));
 }
 
 val rows_of(std::span<const Motion> motions) {
@@ -95,7 +78,10 @@ val Yard::plan(const val& query) {
   const Planner planner = planner_of(query);
   const Problem problem = problem_of(query);
   PlanOptions options = options_from(planner, query["options"]);
-  options.site = site_of(query["options"]);
+  const val given = query["options"];
+  if (!given.isUndefined() && !given.isNull() && has(given, site_key)) {
+    options.site = site_.read(given[site_key]);
+  }
   options = complete(planner, options, problem.vehicle());
   const PlanResult result = vandplan::plan(problem, planner, options);
   val object = object_of(result);
@@ -134,6 +120,15 @@ val Yard::is_free(const val& query) const {
   return val(world_->checker(vehicle, margin)->is_free(state));
 }
 
+val Yard::site_table(const val& query, const val& progress) const {
+  allow_only(query, {"goals", "vehicle", "options", "headings", "cell"}, "query");
+  const Problem problem = problem_of(query);
+  const Planner& planner = default_planner();
+  const PlanOptions options =
+      complete(planner, options_from(planner, query["options"]), problem.vehicle());
+  return bytes_of(site_table_from(query, problem, options, progress));
+}
+
 Problem Yard::problem_of(const val& query) const {
   const Vehicle vehicle =
       has(query, "vehicle") ? vehicle_from(query["vehicle"]) : scenario_.vehicle;
@@ -151,17 +146,6 @@ Problem Yard::problem_of(const val& query) const {
   const std::vector<Via> via = has(query, "via") ? via_at(query, vehicle) : scenario_.via;
   const Problem ends = goal.set.empty() ? problem : with_goal_set(problem, goal.set);
   return with_moving(with_via(ends, via), scenario_.moving);
-}
-
-/// The table is read again only if a query brings other bytes than the one before.
-std::shared_ptr<const SiteTable> Yard::site_of(const val& options) {
-  if (options.isUndefined() || options.isNull() || !has(options, site_key)) return nullptr;
-  const val bytes = options[site_key];
-  if (!site_ || !bytes.strictlyEquals(site_bytes_)) {
-    site_ = site_from(bytes);
-    site_bytes_ = bytes;
-  }
-  return site_;
 }
 
 }  // namespace vandplan::web

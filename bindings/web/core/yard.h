@@ -5,9 +5,9 @@
 
 #include <memory>
 
+#include "bindings/web/core/site.h"
 #include "bindings/web/core/values.h"
 #include "vandplan/motion.h"
-#include "vandplan/site_table.h"
 
 namespace vandplan::web {
 
@@ -34,15 +34,17 @@ class Yard {
   /// Whether vehicle and trailer are free at a pose and keep the margin: {pose, vehicle, margin}.
   [[nodiscard]] val is_free(const val& query) const;
 
+  /// Bytes of a table of the site: {goals, vehicle, options, headings, cell}. `progress` is called
+  /// with the number of goals that are done, or is undefined.
+  [[nodiscard]] val site_table(const val& query, const val& progress) const;
+
  private:
   [[nodiscard]] Problem problem_of(const val& query) const;
-  [[nodiscard]] std::shared_ptr<const SiteTable> site_of(const val& options);
 
   Scenario scenario_;
   Problem problem_;
   std::shared_ptr<const World> world_;
-  val site_bytes_ = val::undefined();  // of the last query with a table of the site
-  std::shared_ptr<const SiteTable> site_ = {};
+  SiteReader site_;
 };
 
 }  // namespace vandplan::web
