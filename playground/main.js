@@ -113,7 +113,7 @@ function setTheme(page, theme) {
 
 function listenToButtons(page) {
   const clicks = {
-    play: () => page.toggleDrive(), undo: () => page.undo(), redo: () => page.redo(), fit: () => page.fit(), park: () => page.togglePark(),
+    play: () => page.toggleDrive(), costs: () => page.toggleCosts(), undo: () => page.undo(), redo: () => page.redo(), fit: () => page.fit(), park: () => page.togglePark(),
     remove: () => page.editor.remove(), 'add-wall': () => page.add('obstacles'), 'add-kerb': () => page.add('kerbs'), 'add-zone': () => page.add('zones'), 'add-dock': () => page.add('goal'), 'add-via': () => page.add('via'),
     'as-driver': () => page.style(), 'as-shortest': () => page.style(panel.shortest),
     help: () => byId('about').showModal(), 'about-close': () => byId('about').close(),

@@ -6,13 +6,15 @@
 import {vehicles} from 'catalogue';
 
 import {showChosen} from './chosen.js';
+import {Costs} from './costs.js';
 import {beginDrive, drivenAt, parkedNote} from './driving.js';
 import {Editor} from './edit.js';
+import {showLegend} from './legend.js';
 import {paletteOf} from './paint.js';
 import * as panel from './panel.js';
 import {Parking} from './parking.js';
 import {paintPage} from './picture.js';
-import {Planning} from './planning.js';
+import {Planning, queryOf} from './planning.js';
 import {vehicle} from './reading.js';
 import {adders, changeVehicle, goalsOf, History, isGround, isThere, sceneBox} from './scene.js';
 import {View} from './view.js';
@@ -31,8 +33,10 @@ export class Page {
   dirty = false; // a plan is wanted in the next frame
   drive = null; // an animated drive (driving.js)
   parked = null; // somebody who parks by hand
+  at = null; // where the mouse is, in the yard
   reached = 0; // which of several goals the last path led to
   bounds = []; // {time, bound}: what plans of this scene proved, and how long they took
+  without = null; // how a plan of this scene went without the table of the site, beside the one with it
   #frame = 0;
   #colours = null;
 
@@ -43,10 +47,13 @@ export class Page {
     this.view = new View(this.canvas);
     this.planners = new Map(vandplan.planners().map((info) => [info.name, info]));
     this.info = this.planners.get('anytime');
-    this.planning = new Planning(vandplan, byId('app').textContent, (result) => this.improved(result));
+    const script = byId('app').textContent;
+    this.planning = new Planning(vandplan, script, (result) => this.improved(result));
+    this.costs = new Costs(vandplan, script, () => this.costed());
     this.editor = new Editor(this.canvas, this);
     this.snap = () => byId('snap').checked;
     new ResizeObserver(() => this.resized()).observe(this.canvas);
+    for (const kind of ['pointermove', 'pointerdown', 'pointerleave']) this.canvas.addEventListener(kind, (event) => this.pointed(event));
   }
 
   // ---- what is shown ----
@@ -149,9 +156,11 @@ export class Page {
   plan() {
     this.dirty = false;
     this.bounds = [];
+    this.without = null;
     this.moved ||= this.editor.dragging;
     try {
-      const result = this.planning.now(this.scene, this.settings, this.info, this.editor.dragging ? this.known : null);
+      const site = this.costs.isOn ? this.costs.of(this.scene, this.tableOptions(), this.planning.groundVersion) : null;
+      const result = this.planning.now(this.scene, this.settings, this.info, this.editor.dragging ? this.known : null, site);
       this.take(result ?? {status: 'searching', path: null, anytime: []});
     } catch (error) {
       this.failed(error.message);
@@ -171,7 +180,7 @@ export class Page {
     if (result.lower_bound > 0) this.bounds.push({time: result.time, bound: result.lower_bound});
     this.shown = result.path ? this.placesOf(result.path) : null;
     panel.showResult(result, result.path && !this.editor.dragging ? this.vandplan.hash(result.path) : '');
-    if (!this.editor.dragging) panel.paintTrace(this.#colours, result, this.bounds);
+    if (!this.editor.dragging) panel.paintTrace(this.#colours, result, this.bounds, this.without);
   }
 
   placesOf(path) {
@@ -185,6 +194,12 @@ export class Page {
 
   /** A longer run found something for the scene that is shown, or has an error to tell. */
   improved(result) {
+    if (result.without) {
+      this.without = result.without;
+      if (this.result) panel.paintTrace(this.#colours, this.result, this.bounds, this.without);
+      this.drawn();
+      return;
+    }
     if (result.status === 'error') {
       this.failed(result.reason);
       this.drawn();
@@ -196,6 +211,37 @@ export class Page {
     // How soon there was a path is what the first plan says: the second thread had more time, and later.
     const first = this.result?.path ? this.result.anytime[0] : null;
     this.take(first ? {...result, first: this.result.first ?? first} : result);
+    this.drawn();
+  }
+
+  // ---- what driving costs from everywhere ----
+
+  /** Options of the plans that a table of the scene is for. */
+  tableOptions = () => queryOf(this.scene, this.settings, this.planners.get('anytime'), null).options;
+
+  toggleCosts() {
+    this.costs.toggle();
+    byId('costs').setAttribute('aria-pressed', String(this.costs.isOn));
+    this.replan();
+  }
+
+  /** A table is made, or further, or there is none. */
+  costed() {
+    if (!this.costs.isMaking) this.replan();
+    this.drawn();
+  }
+
+  /** Plans again, unless the truck drives. */
+  replan() {
+    this.dirty ||= !this.drive;
+    this.drawn();
+  }
+
+  pointed({type, pointerType, clientX, clientY}) {
+    if (!this.costs.isOn) return;
+    if (type !== 'pointerdown' && pointerType !== 'mouse') return;
+    const box = this.canvas.getBoundingClientRect();
+    this.at = type === 'pointerleave' || this.editor.dragging ? null : this.view.toYard([clientX - box.left, clientY - box.top]);
     this.drawn();
   }
 
@@ -276,11 +322,12 @@ export class Page {
     byId('play').disabled = !this.result?.path;
     byId('park').disabled = this.scene.via.length + this.scene.zones.length + this.scene.masks.length > 0; // nobody says there what hands may do
     showChosen(this.scene, this.editor.selected);
+    showLegend(this);
   }
 
   key(key, shift) {
     const keys = {
-      n: () => this.editor.next(shift), N: () => this.editor.next(shift), f: () => this.fit(), F: () => this.fit(), ' ': () => this.toggleDrive(),
+      c: () => this.toggleCosts(), C: () => this.toggleCosts(), n: () => this.editor.next(shift), N: () => this.editor.next(shift), f: () => this.fit(), F: () => this.fit(), ' ': () => this.toggleDrive(),
       '+': () => this.zoom(1.25), '=': () => this.zoom(1.25), '-': () => this.zoom(0.8),
       Delete: () => this.editor.remove(), Backspace: () => this.editor.remove(), Escape: () => this.escape(),
     };

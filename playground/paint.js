@@ -7,7 +7,7 @@ import {hitCorners, mapCorners, outline, outlines, placed, trailerOutline, trail
 import {posesOf} from './places.js';
 import {blocks, placeAt, polygonAt} from './scene.js';
 
-const names = ['paper', 'grid', 'ink', 'soft', 'wall', 'wall-line', 'kerb', 'kerb-line', 'accent', 'accent-ink', 'forward', 'reverse', 'body', 'glass', 'bad'];
+const names = ['paper', 'grid', 'ink', 'soft', 'wall', 'wall-line', 'kerb', 'kerb-line', 'accent', 'accent-ink', 'forward', 'reverse', 'body', 'glass', 'bad', 'cost-near', 'cost-middle', 'cost-far'];
 
 /** The colours of the page as they are now. */
 export function paletteOf(element) {

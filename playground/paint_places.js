@@ -8,7 +8,7 @@ import {trace} from './paint.js';
 import {areaOf, entriesOf, poseOf, posesOf} from './places.js';
 
 /** Writes a text at a place of the yard, in pixels of the page: on a plate, with a halo, or as it is. */
-function label(context, view, place, text, {ink, plate = null, square = false, halo = null}) {
+export function label(context, view, place, text, {ink, plate = null, square = false, halo = null}) {
   const [x, y] = view.toPage(place);
   context.save();
   context.setTransform(view.ratio, 0, 0, view.ratio, 0, 0);
@@ -88,7 +88,7 @@ export function paintZones(context, view, zones, colours) {
 }
 
 /** Thin and dashed: how a vehicle may stand somewhere. */
-function paintOutline(context, view, vehicle, pose, colour) {
+export function paintOutline(context, view, vehicle, pose, colour) {
   context.beginPath();
   for (const body of outlines(vehicle, pose)) trace(context, body);
   context.strokeStyle = colour;

@@ -78,17 +78,19 @@ function sheet(canvas) {
 
 /**
  * The cost of the best path over time, which is drawn logarithmically, and below it what is proven that no path costs
- * less than: {time, bound} of each plan.
+ * less than: {time, bound} of each plan. Dashed: the cost `without` a table of the site, or null.
  */
-export function paintTrace(colours, {anytime, time, path}, bounds) {
+export function paintTrace(colours, {anytime, time, path}, bounds, without) {
   const drawn = sheet(byId('trace'));
+  byId('trace-without').hidden = !without;
   if (!drawn || !path || !anytime.length) return;
   const {context, width, height} = drawn;
-  const least = Math.max(1e-5, Math.min(anytime[0].time, bounds[0]?.time ?? Infinity));
+  const other = without?.anytime ?? [];
+  const least = Math.max(1e-5, Math.min(anytime[0].time, other[0]?.time ?? Infinity, bounds[0]?.time ?? Infinity));
   const span = Math.log(Math.max(time, 2 * least) / least);
   const best = anytime.at(-1).cost;
-  const low = Math.min(best, ...bounds.map(({bound}) => bound));
-  const high = Math.max(anytime[0].cost, 1.02 * best, 1.02 * low);
+  const low = Math.min(best, other.at(-1)?.cost ?? best, ...bounds.map(({bound}) => bound));
+  const high = Math.max(anytime[0].cost, other[0]?.cost ?? 0, 1.02 * best, 1.02 * low);
   const x = (t) => 4 + ((width - 8) * Math.log(Math.max(t, least) / least)) / span;
   const y = (cost) => 6 + (height - 14) * (1 - (cost - low) / (high - low));
   const steps = (samples) => {
@@ -106,8 +108,13 @@ export function paintTrace(colours, {anytime, time, path}, bounds) {
     context.lineJoin = 'round';
     context.stroke();
   };
-  const costs = anytime.map((sample) => [sample.time, sample.cost]);
-  line(costs, colours.accent, 2);
+  const costsOf = (samples) => samples.map((sample) => [sample.time, sample.cost]);
+  if (other.length) {
+    context.setLineDash([3, 3]);
+    line(costsOf(other), colours.ink, 1.5);
+    context.setLineDash([]);
+  }
+  line(costsOf(anytime), colours.accent, 2);
   context.lineTo(width - 4, height);
   context.lineTo(x(anytime[0].time), height);
   context.globalAlpha = 0.12;

@@ -5,6 +5,7 @@
 
 import {middle, wrap} from './geometry.js';
 import * as paint from './paint.js';
+import {paintBest, paintField} from './paint_costs.js';
 import {paintGoalGround, paintGoals, paintSpeed, paintVias, paintZones} from './paint_places.js';
 import {entriesOf, poseOf, posesOf} from './places.js';
 import {centreAt, placeAt, polygonAt} from './scene.js';
@@ -19,6 +20,9 @@ export function paintPage(page, colours, driven) {
   view.enter(context);
   paint.paintGrid(context, view, colours);
   paint.paintBounds(context, view, scene, colours);
+  const {isOn, made, fault, isMaking} = page.costs;
+  const field = isOn && made && !fault ? made.field : null;
+  if (field) paintField(context, view, field, colours, isMaking);
   paint.paintMasks(context, scene.masks, colours);
   paintZones(context, view, scene.zones, colours);
   paintGoalGround(context, view, scene, colours);
@@ -27,6 +31,7 @@ export function paintPage(page, colours, driven) {
   paint.paintPolygons(context, view, scene, colours);
   if (page.shown) {
     paint.paintFootprints(context, view, scene.vehicle, page.shown, colours, scene.vehicle.trailers ? 5 : 2.5);
+    if (field) paint.paintPath(context, view, page.shown.rows, {...colours, forward: colours.paper, reverse: colours.paper, 'accent-ink': colours.paper}, 6); // it stands out
     paint.paintPath(context, view, page.shown.rows, colours);
   }
   paintGoals(context, view, scene, colours);
@@ -35,6 +40,8 @@ export function paintPage(page, colours, driven) {
   paintVias(context, view, scene, page.result?.via ?? [], colours, driven?.standsAt);
   if (driven) paintSpeed(context, view, scene.vehicle, driven, colours);
   if (page.clean) return;
+  const best = field && !isMaking && page.at && !page.editor.dragging ? page.costs.bestAt(page.at) : null;
+  if (best) paintBest(context, view, scene.vehicle, best, colours);
   paintSelection(page, colours);
   if (!page.moved) paintHint(page, colours);
 }

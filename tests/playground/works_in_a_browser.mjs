@@ -9,6 +9,7 @@ import {join, resolve} from 'node:path';
 import {pathToFileURL} from 'node:url';
 
 import {Browser, pause} from './browser.mjs';
+import {showsCosts, showsCostsByTouch} from './costs.mjs';
 import {takesGoalsAndZones, takesThemByTouch} from './goals_and_zones.mjs';
 import {takesMasksAndDrives} from './masks_and_drives.mjs';
 
@@ -429,6 +430,7 @@ async function onADesk(browser) {
   await drawsOutlines(browser, page, size);
   await takesGoalsAndZones(page, {expect, found, click, dropped, picture});
   await takesMasksAndDrives(page, {expect, found, click, choose, plays, picture});
+  await showsCosts(page, {expect, found, click, dropped, picture});
   await saves(page);
   await parks(page);
   await links(browser, page, size);
@@ -480,6 +482,7 @@ async function onAPhone(browser) {
   await click(page, 'more');
   await parksByTouch(page);
   await takesThemByTouch(page, {expect, click, dropped, picture});
+  await showsCostsByTouch(page, {expect, click, dropped, picture});
   await explains(page, 'phone');
   expect(page.faults.length === 0, `the page complains on a phone: ${page.faults.join('\n')}`);
 }
