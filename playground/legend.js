@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// What the colours of the yard mean.
+// What the colours of the yard mean: those of costs, and those of masks.
 
+import {inFrame} from './geometry.js';
 import {duration} from './panel.js';
 import {entriesOf} from './places.js';
+import {blocks} from './scene.js';
 
 const byId = (id) => document.getElementById(id);
 
@@ -53,8 +55,67 @@ function showCosts(page) {
   say('costs-here', costs.isMaking ? '\u2026' : here(page));
 }
 
+// ---- masks ----
+
+/** What a mask says of a cell, by the percents of its occupancy: a number, its unit, and what it is. */
+function meaningOf({rule: {as, of, type, base = 0, multiplier = 1}}) {
+  if (as === 'cost') return {valueOf: (percent) => 1 + (percent / 100) * of, unit: '\u00D7', text: 'a metre costs'};
+  if (as === 'max_speed') return {valueOf: (percent) => (1 - percent / 100) * of, unit: 'm/s', text: 'at most'};
+  return {valueOf: (percent) => base + multiplier * percent, unit: type === 1 ? '% of the largest speed' : 'm/s', text: 'at most'};
+}
+
+const tidy = (value) => String(Number(value.toPrecision(2)));
+
+/** The percents of a mask at a place; undefined outside, or where it says nothing. */
+function percentAt({map: {grid, percents}}, at) {
+  const [column, row] = inFrame(grid.origin, at).map((one) => Math.floor(one / grid.resolution));
+  const isInside = column >= 0 && column < grid.columns && row >= 0 && row < grid.rows;
+  const percent = isInside ? percents[row * grid.columns + column] : 255;
+  return percent > 100 ? undefined : percent;
+}
+
+const spans = new WeakMap();
+
+/** Least and largest percents of a mask. */
+function spanOf(mask) {
+  if (!spans.has(mask)) {
+    const said = mask.map.percents.filter((percent) => percent <= 100);
+    spans.set(mask, said.length ? [said.reduce((a, b) => Math.min(a, b)), said.reduce((a, b) => Math.max(a, b))] : null);
+  }
+  return spans.get(mask);
+}
+
+function textOf(mask, at) {
+  const {name} = mask.map;
+  if (blocks(mask)) return `${name}: obstacles`;
+  const span = spanOf(mask);
+  if (!span) return `${name}: says nothing`;
+  const {valueOf, unit, text} = meaningOf(mask);
+  const [low, high] = span.map(valueOf).sort((a, b) => a - b).map(tidy);
+  const percent = at ? percentAt(mask, at) : undefined;
+  const own = percent === undefined ? '' : `, here ${tidy(valueOf(percent))}`;
+  return `${name}: ${text} ${low === high ? low : `${low} to ${high}`} ${unit}${own}`;
+}
+
+const kindOf = (mask) => (blocks(mask) ? 'wall' : mask.rule.as === 'cost' ? 'price' : 'speed');
+
+let before = '';
+
+function showMasks({scene, at}) {
+  const texts = scene.masks.map((mask) => [kindOf(mask), textOf(mask, at)]);
+  const now = JSON.stringify(texts);
+  if (now === before) return;
+  before = now;
+  byId('masks-legend').replaceChildren(...texts.map(([kind, text]) => {
+    const item = document.createElement('li');
+    item.append(Object.assign(document.createElement('i'), {className: kind}), text);
+    return item;
+  }));
+}
+
 /** Lets the legend say what is on the yard of a page; it is hidden while there is nothing to say. */
 export function showLegend(page) {
   showCosts(page);
-  byId('legend').hidden = !page.costs.isOn;
+  showMasks(page);
+  byId('legend').hidden = !page.costs.isOn && !page.scene.masks.length;
 }

@@ -33,7 +33,7 @@ export class Page {
   dirty = false; // a plan is wanted in the next frame
   drive = null; // an animated drive (driving.js)
   parked = null; // somebody who parks by hand
-  at = null; // where the mouse is, in the yard
+  pointer = null; // where the mouse is on the canvas, or where it was tapped; null on what lies above it
   reached = 0; // which of several goals the last path led to
   bounds = []; // {time, bound}: what plans of this scene proved, and how long they took
   without = null; // how a plan of this scene went without the table of the site, beside the one with it
@@ -237,12 +237,18 @@ export class Page {
     this.drawn();
   }
 
+  /** The mouse moves over the canvas, or a finger taps it. */
   pointed({type, pointerType, clientX, clientY}) {
-    if (!this.costs.isOn) return;
-    if (type !== 'pointerdown' && pointerType !== 'mouse') return;
+    const says = this.costs.isOn || this.scene?.masks.length > 0; // something of the place
+    if (pointerType !== 'mouse' && !(says && type === 'pointerdown')) return;
     const box = this.canvas.getBoundingClientRect();
-    this.at = type === 'pointerleave' || this.editor.dragging ? null : this.view.toYard([clientX - box.left, clientY - box.top]);
-    this.drawn();
+    this.pointer = type === 'pointerleave' || this.editor.dragging ? null : [clientX - box.left, clientY - box.top];
+    if (says) this.drawn();
+  }
+
+  /** The place under the mouse, in the yard, or null. */
+  get at() {
+    return this.pointer && this.view.toYard(this.pointer);
   }
 
   /** The scene with those settings among its options that it came with or that are not a driver's, for files and links. */

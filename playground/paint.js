@@ -98,13 +98,14 @@ export function paintMap(context, {grid}, colours) {
   paintCells(context, grid, imageOf(grid, grid, colours.wall, grid.cells, (cell) => [0, 255, 110][cell]));
 }
 
-/** Masks, faintly: cells that are obstacles in the colour of walls; those with a speed or price in that of kerbs, the more so the fuller. */
+/** Masks, faintly: cells that are obstacles in the colour of walls; those with a price in that of kerbs, those with a speed in that of glass, the more so the fuller. */
 export function paintMasks(context, masks, colours) {
   for (const mask of masks) {
     const {grid, percents} = mask.map;
     const isWall = blocks(mask);
     const opacityOf = isWall ? (_, i) => (grid.cells[i] === 1 ? 115 : 0) : (percent) => (percent > 100 || percent === 0 ? 0 : 40 + percent);
-    paintCells(context, grid, imageOf(mask, grid, isWall ? colours.wall : colours.kerb, percents, opacityOf));
+    const colour = isWall ? colours.wall : mask.rule.as === 'cost' ? colours.kerb : colours.glass;
+    paintCells(context, grid, imageOf(mask, grid, colour, percents, opacityOf));
   }
 }
 

@@ -23,8 +23,8 @@ const isMade = (page) => page.until('!vandplanPage.dirty && vandplanPage.costs.m
 const press = (page) => page.value('document.getElementById("yard").focus()').then(() => page.key('c'));
 
 /** The colour of a place of the yard, without what is planned. */
-const colourAt = (page, x, y) => page.value(`(() => { const p = vandplanPage, [u, v] = p.view.toPage([${x}, ${y}]).map((one) => Math.round(one * p.view.ratio)), {shown, at} = p;
-  p.editor.select(null); p.shown = p.at = null; p.drawn(true); Object.assign(p, {shown, at}); return [...p.context.getImageData(u, v, 1, 1).data].slice(0, 3); })()`);
+const colourAt = (page, x, y) => page.value(`(() => { const p = vandplanPage, [u, v] = p.view.toPage([${x}, ${y}]).map((one) => Math.round(one * p.view.ratio)), {shown, pointer} = p;
+  p.editor.select(null); p.shown = p.pointer = null; p.drawn(true); Object.assign(p, {shown, pointer}); return [...p.context.getImageData(u, v, 1, 1).data].slice(0, 3); })()`);
 const apart = (a, b) => Math.max(...a.map((one, i) => Math.abs(one - b[i])));
 
 /** `help`: {expect, found, click, choose, dropped, picture} of the test that opens the page. */
@@ -58,7 +58,17 @@ async function coloursTheYard(page, help) {
   await picture(page, 'desk-costs');
 }
 
+/** Takes the mouse off the yard, onto the panel. */
+async function leaves(page) {
+  await page.mouse('mouseMoved', [1300, 400]);
+  await page.until('vandplanPage.pointer === null');
+  await page.value('vandplanPage.drawn(true)');
+}
+
 async function saysWhatPlacesCost(page, {expect}) {
+  await page.mouse('mouseMoved', [700, 400]);
+  await page.until('vandplanPage.pointer !== null');
+  await leaves(page);
   const cost = await page.value('vandplanPage.result.cost');
   const truck = Number((await textOf(page, 'costs-here')).match(/^From the truck: (\d+) m$/)?.[1]);
   expect(Math.abs(truck / cost - 1) < 0.25, `the truck's cost is ${truck}, that of its path ${cost}`);
@@ -74,17 +84,16 @@ async function saysWhatPlacesCost(page, {expect}) {
   expect(numbers[0] < 4 && numbers[2] > 35, `around the wall it is far: ${numbers}`);
   await over(10, 0);
   // Along the rear of the vehicle, where its label is not.
-  const [shades, label] = await page.value(`(() => { const p = vandplanPage, {at} = p, v = p.scene.vehicle, {x, y, heading} = p.costs.bestAt(at);
+  const [shades, label] = await page.value(`(() => { const p = vandplanPage, {pointer} = p, v = p.scene.vehicle, {x, y, heading} = p.costs.bestAt(p.at);
     const place = (ahead, aside) => [x + ahead * Math.cos(heading) - aside * Math.sin(heading), y + ahead * Math.sin(heading) + aside * Math.cos(heading)];
     const rear = Array.from({length: 40}, (_, i) => place(-v.rear_overhang, (i / 39 - 0.5) * v.width)), middle = Array.from({length: 40}, (_, i) => place((v.wheelbase + v.front_overhang - v.rear_overhang) / 2 + (i - 20) * 0.03, 0));
     const shot = (places) => p.drawn(true) ?? places.map((one) => p.context.getImageData(...p.view.toPage(one).map((k) => Math.round(k * p.view.ratio)), 1, 1).data[1]);
-    const own = [shot(rear), shot(middle)]; p.at = null; const none = [shot(rear), shot(middle)]; p.at = at;
+    const own = [shot(rear), shot(middle)]; p.pointer = null; const none = [shot(rear), shot(middle)]; p.pointer = pointer;
     return own.map((line, k) => line.filter((shade, i) => Math.abs(shade - none[k][i]) > 40).length); })()`);
   expect(shades > 5 && label > 5, `the vehicle is drawn there, and its cost: ${shades}, ${label} of 40 places differ`);
   expect((await over(1, 5)) === 'From there: no way', 'from within a wall there is no way');
   expect((await over(-21, 0)) === 'From there: outside of the table', 'the table ends 20 m beyond walls and dock');
-  await page.mouse('mouseMoved', [1300, 400]); // on the panel
-  await page.until('vandplanPage.at === null');
+  await leaves(page);
 }
 
 /** With the table a path is there before anything is searched; without it, with the same luck, it is found later. */
@@ -111,7 +120,7 @@ async function followsChanges(page, {expect, click}) {
   const closed = await truck(); // the way around the other end is longer
   expect(closed > before + 10, `a wall makes it dearer: ${before}, ${closed}`);
   const [full, faint] = await page.value(`(() => { const p = vandplanPage, [u, v] = p.view.toPage([24, 5.3]).map((one) => Math.round(one * p.view.ratio));
-    const colour = () => p.drawn(true) ?? [...p.context.getImageData(u, v, 1, 1).data]; p.at = null; const full = colour(); p.scene.goal.x += 3; p.changed('ends'); return [full, colour()]; })()`);
+    const colour = () => p.drawn(true) ?? [...p.context.getImageData(u, v, 1, 1).data]; p.pointer = null; const full = colour(); p.scene.goal.x += 3; p.changed('ends'); return [full, colour()]; })()`);
   expect(faint[1] > full[1] + 20, `what is not of this dock is faint: ${full}, ${faint}`);
   await pause(300); // a table may be on its way then, or be there: nobody waits for it
   await page.value('vandplanPage.scene.goal.x -= 1; vandplanPage.changed("ends"); vandplanPage.drawn(true)');

@@ -88,6 +88,12 @@ async function keepsToMasks(page, help) {
   const [wall, steep, flat] = [await colourAt(page, 9.4, -2.6), await colourAt(page, -5.6, 12.4), await colourAt(page, -5.6, -12.4)];
   expect(apart(wall, flat) > 40, `a wall of a mask is drawn: ${wall}, ${flat}`);
   expect(steep.every((shade, i) => shade < flat[i] - 4) && apart(steep, wall) > 20, `so is its price, faintly: ${steep}, ${flat}`);
+  await page.mouse('mouseMoved', await page.value('vandplanPage.view.toPage([5.5, 5.5])'));
+  await page.until('vandplanPage.at && Math.hypot(vandplanPage.at[0] - 5.5, vandplanPage.at[1] - 5.5) < 0.3');
+  await page.value('vandplanPage.drawn(true)');
+  const legend = await page.value('[...document.querySelectorAll("#masks-legend li")].map((one) => one.textContent)');
+  const said = ['walls.yaml: obstacles', 'price.yaml: a metre costs 1 to 4.5 \u00D7, here 3.4', 'speed.yaml: at most 30 to 100 % of the largest speed, here 100'];
+  expect(JSON.stringify(legend) === JSON.stringify(said) && (await page.value('!document.getElementById("legend").hidden')), `the legend names masks: ${legend}`);
   await picture(page, 'desk-masks');
   const rowsOf = await page.value('(() => { const p = vandplanPage; p.toggleDrive(); const {rows} = p.drive; p.stopDriving(); return [...rows]; })()');
   const speeds = (holds) => Math.max(...rowsOf.filter((_, i) => i % 7 === 6 && holds(rowsOf[i - 4])).map(Math.abs));
