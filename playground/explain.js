@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// How it works: three things to play with.
+// How it works: four things to play with.
 
 import {near} from './explain_near.js';
-import {trees} from './explain_trees.js';
+import {known, trees} from './explain_trees.js';
 import {wordsAround} from './explain_words.js';
 import {paletteOf} from './paint.js';
 
@@ -46,7 +46,7 @@ export function stage(canvas, span, act) {
 
 /** Fills the page; what comes back is told when it is shown and when colours change. */
 export function explain(root, vandplan) {
-  const parts = [near, trees, wordsAround].map((make) => make(root, vandplan));
+  const parts = [near, trees, known, wordsAround].map((make) => make(root, vandplan));
   let colours = paletteOf(document.documentElement);
   const all = (method, ...rest) => parts.forEach((part) => part[method]?.(...rest));
   return {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// Two searches in the same yard, with the same luck, node by node.
+// Two searches in the same yard, with the same luck, node by node; also in a yard that is known.
 
 import {element, stage} from './explain.js';
+import {tableQueryOf, Tables} from './costs.js';
 import {trace, paintPath, paintTruck} from './paint.js';
+import {paintField} from './paint_costs.js';
 import {boxOf} from './geometry.js';
 import {scenesFrom} from './files.js';
 import {scenarioOf} from './scene.js';
@@ -14,7 +16,9 @@ const choices = [
   ['rrt-bsc-euc', 'tree, as the crow flies'], ['rrt-bsc-hlut-4', 'tree, by table'], ['rrt-bsc-rs', 'tree, as a truck drives'],
   ['rrt-opt-euc', 'best parent, as the crow flies'], ['rrt-opt-hlut-4', 'best parent, by table'], ['rrt-connect', 'two trees that meet'],
   ['rrt-star', 'tree that mends its edges'], ['hybrid-a-star', 'cells in order of cost'], ['lattice-a-star', 'lattice in order of cost'],
+  ['hybrid-a-star:site', 'cells, by the table of the yard'], ['lattice-a-star:site', 'lattice, by the table of the yard'],
 ];
+const asksTable = (planner) => planner.endsWith(':site');
 const span = 84;
 const most = 1500; // nodes that are shown
 const iterations = 1500;
@@ -35,20 +39,22 @@ function edgesOf(vandplan, tree, radius) {
   };
 }
 
-function side(vandplan, index, standard, again) {
+function side(vandplan, id, number, standard, again) {
   const known = new Map(vandplan.planners().map(({name, options}) => [name, options.map((option) => option.name)]));
   const canvas = element('canvas', {className: 'exhibit', ariaLabel: 'A growing search tree'});
   canvas.setAttribute('role', 'img');
-  const select = element('select', {ariaLabel: `Planner ${index + 1}`, id: `tree-${index}`},
+  const select = element('select', {ariaLabel: `Planner ${number}`, id},
     ...choices.map(([value, textContent]) => element('option', {value, textContent})));
   select.value = standard;
   const caption = element('span', {});
   const own = {canvas, select, caption, figure: element('figure', {}, canvas, element('div', {className: 'bench'}, select, caption))};
   own.stage = stage(canvas, span, () => {});
   select.addEventListener('change', again);
-  own.plan = (yard, scene) => {
+  /** `table`: of the yard, {site, field}, for a planner that asks it. */
+  own.plan = (yard, scene, table) => {
     const planner = select.value;
-    const options = {max_iterations: planner.includes('a-star') ? 20000 : iterations, time_limit: 0.4, seed: 1, keep_tree: true};
+    own.field = table?.field ?? null;
+    const options = {...(table ? {site: table.site} : {}), max_iterations: planner.includes('a-star') ? 20000 : iterations, time_limit: 0.4, seed: 1, keep_tree: true};
     if (known.get(planner)?.includes('region')) options.region = 'scene'; // most of the ground is out of sight
     own.result = yard.plan({planner, options});
     own.edge = own.result.tree ? edgesOf(vandplan, own.result.tree, scene.vehicle.min_turning_radius) : null;
@@ -64,6 +70,7 @@ function paintSide(own, scene, shown, colours) {
   const {context, view} = drawn;
   const [left, bottom, right, top] = boxOf([...scene.obstacles.flat(), [scene.start.x, scene.start.y], [scene.goal.x, scene.goal.y]]);
   context.translate(-(left + right) / 2, -(bottom + top) / 2);
+  if (own.field) paintField(context, view, own.field, colours, false);
   const count = Math.min(shown, own.size);
   context.beginPath();
   for (let i = 0; i < count; ++i) {
@@ -88,30 +95,49 @@ function paintSide(own, scene, shown, colours) {
     ? `first path after ${first.iteration} steps, best ${cost.toFixed(0)} m` : `no path in ${own.result.iterations} steps`;
 }
 
-export function trees(root, vandplan) {
+/** `id`: what the names of its controls begin with; `standard`: two planners; `among`: names of yards, `first` the first one. */
+function exhibit(root, vandplan, {id, title, text, standard, among, first}) {
   const state = {on: false, colours: null, shown: 0, playing: true, frame: 0, scene: null, yard: null};
-  const sides = [side(vandplan, 0, 'rrt-bsc-euc', () => again()), side(vandplan, 1, 'rrt-bsc-hlut-4', () => again())];
-  const yards = scenarios.map((one, i) => ({...one, i})).filter(({label}) => /^Thesis: [2-7]/.test(label));
-  const yard = element('select', {ariaLabel: 'Yard', id: 'tree-yard'}, ...yards.map(({label, i}) => element('option', {value: i, textContent: label})));
-  yard.value = yards.find(({label}) => label.includes('5'))?.i ?? yards[0].i;
-  const play = element('button', {textContent: 'Pause', id: 'tree-play'});
-  const step = element('button', {textContent: 'One step', id: 'tree-step'});
-  const speed = element('input', {type: 'range', min: 0, max: 3, step: 0.1, value: 1.2, id: 'tree-speed'});
-  const restart = element('button', {textContent: 'Again', id: 'tree-again'});
+  const tables = new Tables(document.getElementById('app').textContent);
+  const made = new Map(); // tables by yard
+  const sides = standard.map((planner, i) => side(vandplan, `${id}-${i}`, i + 1, planner, () => again()));
+  const yards = scenarios.map((one, i) => ({...one, i})).filter(({label}) => among.test(label));
+  const yard = element('select', {ariaLabel: 'Yard', id: `${id}-yard`}, ...yards.map(({label, i}) => element('option', {value: i, textContent: label})));
+  yard.value = yards.find(({label}) => label === first).i;
+  const play = element('button', {textContent: 'Pause', id: `${id}-play`});
+  const step = element('button', {textContent: 'One step', id: `${id}-step`});
+  const speed = element('input', {type: 'range', min: 0, max: 3, step: 0.1, value: 1.2, id: `${id}-speed`});
+  const restart = element('button', {textContent: 'Again', id: `${id}-again`});
   root.append(element('article', {},
-    element('h2', {textContent: 'The same luck, another guide'}),
-    element('p', {textContent: 'A search tree grows from the truck: each step draws a random pose and joins it to the node that seems nearest. Both trees get the same random poses. The only difference is who answers how near is near.'}),
+    element('h2', {textContent: title}),
+    element('p', {textContent: text}),
     element('div', {className: 'two'}, ...sides.map(({figure}) => figure)),
     element('div', {className: 'bench'}, element('label', {}, 'Yard ', yard), play, step, restart, element('label', {}, 'Speed ', speed)),
   ));
 
-  function again() {
+  /** The table of the yard by length, as these searches plan; null if another one is asked for meanwhile. */
+  async function tableOf(scene) {
+    const key = yard.value;
+    const table = made.get(key) ?? (await tables.make(scene, tableQueryOf(scene, {style: 'shortest'})));
+    if (table) made.set(key, table);
+    return table;
+  }
+
+  async function again() {
     if (!state.on) return;
     const chosen = scenarios[Number(yard.value)];
-    state.scene = scenesFrom(chosen.text, chosen.name)[chosen.goal ?? 0];
+    const scene = scenesFrom(chosen.text, chosen.name)[chosen.goal ?? 0];
+    state.scene = scene;
     state.yard?.close();
-    state.yard = vandplan.yard(scenarioOf(state.scene));
-    for (const own of sides) own.plan(state.yard, state.scene);
+    state.yard = vandplan.yard(scenarioOf(scene));
+    for (const own of sides) {
+      const planner = own.select.value;
+      own.result = null;
+      own.caption.textContent = asksTable(planner) ? 'computing the table \u2026' : '';
+      const table = asksTable(planner) ? await tableOf(scene) : null;
+      if (state.scene !== scene || (asksTable(planner) && !table)) return; // another yard was chosen
+      own.plan(state.yard, scene, table);
+    }
     state.shown = 0;
     go();
   }
@@ -122,6 +148,7 @@ export function trees(root, vandplan) {
 
   function frame() {
     state.frame = 0;
+    if (!sides.every(({result}) => result)) return; // a table is made
     const end = Math.max(...sides.map(({size}) => size));
     if (state.playing) state.shown = Math.min(end, state.shown + Math.max(0.05, 10 ** speed.value / 10));
     for (const own of sides) paintSide(own, state.scene, Math.floor(state.shown), state.colours);
@@ -149,3 +176,13 @@ export function trees(root, vandplan) {
     },
   };
 }
+
+export const trees = (root, vandplan) => exhibit(root, vandplan, {
+  id: 'tree', standard: ['rrt-bsc-euc', 'rrt-bsc-hlut-4'], among: /^Thesis: [2-7]/, first: 'Thesis: 5 leave cage', title: 'The same luck, another guide',
+  text: 'A search tree grows from the truck: each step draws a random pose and joins it to the node that seems nearest. Both trees get the same random poses. The only difference is who answers how near is near.',
+});
+
+export const known = (root, vandplan) => exhibit(root, vandplan, {
+  id: 'known', standard: ['hybrid-a-star', 'hybrid-a-star:site'], among: /^(Docks|Street|Dead end|Container stacks|Bus depot|Ferry lane|Thesis: [57])/, first: 'Thesis: 5 leave cage', title: 'The same search, in a yard that is known',
+  text: 'Trucks drive in the same yard for months, to the same docks. A table that was made of it once knows what every wall costs: the colours, the stronger the nearer. Both searches look at the cheapest node next. Only the right one asks the table what is still to come.',
+});

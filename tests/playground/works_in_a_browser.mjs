@@ -390,8 +390,16 @@ async function explains(page, name) {
   await whenLookedAt(1500);
   await picture(page, `${name}-how-2`);
   await page.value('document.querySelectorAll("#how article")[2].scrollIntoView()');
-  await whenLookedAt(300);
+  await page.value('document.getElementById("known-speed").value = 3'); // nodes are shown frame by frame
+  const captions = '[...document.querySelectorAll("#how .two")[1].querySelectorAll(".bench span")].map((one) => one.textContent)';
+  await page.until(`${captions}.every((text) => /first path after|no path in/.test(text))`, 180);
+  const [blind, guided] = await page.value(captions);
+  const steps = (text) => Number(text.match(/first path after (\d+)/)?.[1] ?? Infinity);
+  expect(4 * steps(guided) < steps(blind), `a table of the yard makes a search quicker: ${blind}; ${guided}`);
   await picture(page, `${name}-how-3`);
+  await page.value('document.querySelectorAll("#how article")[3].scrollIntoView()');
+  await whenLookedAt(300);
+  await picture(page, `${name}-how-4`);
   await page.until('document.querySelectorAll("#how article p")[document.querySelectorAll("#how article p").length - 1].textContent.includes("words fit")');
   await click(page, 'show-plan');
 }
