@@ -22,7 +22,6 @@
 #include "planners/anytime/sources.h"
 #include "planners/anytime/survey.h"
 #include "planners/rig/compose_rig.h"
-#include "planners/shared_options.h"
 #include "search/grid_distance.h"
 #include "sites/way.h"
 

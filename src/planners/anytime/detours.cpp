@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 
-#include "planners/shared_options.h"
 #include "search/wheels.h"
 
 namespace vandplan::anytime {
