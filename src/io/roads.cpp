@@ -12,6 +12,7 @@
 #include "geometry/polygon.h"
 #include "io/ground.h"
 #include "io/xml.h"
+#include "problem/checks.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan::io {
@@ -117,9 +118,12 @@ bool exclude_each_other(const Piece& one, const Piece& other, const Roads& roads
   return one.lane != other.lane && !are_alike && overlap(one.ring, other.ring, effort);
 }
 
-/// What keeps a polygon from being simple; empty if it is simple.
-std::string flaw_of(const Polygon& polygon) {
-  return geometry::flaw_of(geometry::cleaned(polygon), {});
+/// What keeps a polygon from being simple in a scenario with that start; empty if it is simple.
+std::string flaw_of(const Polygon& polygon, const Pose& start) {
+  const Point origin = problem::local_origin({start.x, start.y});
+  Polygon local;
+  for (const Point& corner : polygon) local.push_back(problem::local_point(corner, origin));
+  return geometry::flaw_of(geometry::cleaned(local), origin);
 }
 
 /// Speed limit rounded down to 0.1 mm/s.
@@ -149,7 +153,7 @@ int add_zones(const Roads& roads, bool both_ways, Scenario& scenario) {
     const bool is_crossed = has_direction && std::ranges::any_of(near, [&](std::size_t other) {
                               return exclude_each_other(piece, pieces[other], roads, effort);
                             });
-    const bool is_simple = flaw_of(piece.ring.corners).empty();
+    const bool is_simple = flaw_of(piece.ring.corners, scenario.start).empty();
     if (is_crossed || !is_simple) ++without_zone;
     if (!is_simple || (is_crossed && !lane.max_speed)) continue;
     if (has_direction && !is_crossed) {
@@ -161,8 +165,8 @@ int add_zones(const Roads& roads, bool both_ways, Scenario& scenario) {
   return without_zone;
 }
 
-void expect_simple(const MapObstacle& obstacle) {
-  if (const std::string flaw = flaw_of(obstacle.outline); !flaw.empty()) {
+void expect_simple(const MapObstacle& obstacle, const Pose& start) {
+  if (const std::string flaw = flaw_of(obstacle.outline, start); !flaw.empty()) {
     throw InputError(obstacle.place, flaw);
   }
 }
@@ -265,7 +269,7 @@ void add_roads(const Roads& roads, const RoadRules& rules, RoadScenario& result)
   for (const Polygon& area : roads.areas) add(area);
   for (const MapObstacle& obstacle : roads.obstacles) {
     expect_near(obstacle.outline, scenario.start);
-    expect_simple(obstacle);
+    expect_simple(obstacle, scenario.start);
     scenario.obstacles.push_back(obstacle.outline);
   }
   scenario.bounds = bounds_around(scenario, rings);

@@ -59,6 +59,26 @@ TEST(Roads, WallsStandAroundTheUnionOfLanesAndAreas) {
   EXPECT_EQ(scenario.bounds, (Bounds{-20, 60, -29, 24}));
 }
 
+TEST(Roads, ALaneThatTouchesItselfHasNoZoneInTheFrameOfTheScenario) {
+  // A corner of the left edge is on the right edge. Rounding puts it on either side.
+  for_each_case(9, 2000, [](Rng& rng) {
+    const auto any = [&](double least, double most) {
+      return std::round(uniform(least, most, rng) * 1e4) / 1e4;
+    };
+    const Point begin{any(-500, 500), any(-500, 500)};
+    const Point half{any(8, 12), any(-1, 1)};
+    const auto point_at = [&](int halves, double above) {
+      return io::rounded({begin.x + halves * half.x, begin.y + halves * half.y + above});
+    };
+    io::Roads roads;
+    roads.lanes = {{.name = "lane",
+                    .left = {point_at(0, 3), point_at(1, 0), point_at(2, 3)},
+                    .right = {point_at(0, 0), point_at(2, 0)}}};
+    const Pose start{any(-500, 500), any(-500, 500), 0};
+    EXPECT_NO_THROW(scenario_of(roads, start, start, {.open_edges = true}));
+  });
+}
+
 TEST(Roads, WallsAreJustOutside) {
   io::Roads roads;
   roads.areas = {box(0, 20, 0, 10)};
