@@ -104,6 +104,23 @@ TEST_F(Nav2Plugin, EveryOutcomeIsAnException) {
   EXPECT_FALSE(plan(good, goal).poses.empty()) << "a round robot has no corners";
 }
 
+TEST_F(Nav2Plugin, AViaPointMayHaveAnotherFrame) {
+  configure();
+  ros_->frames["dock"] = pose_at(5, 10, std::numbers::pi / 2).pose;
+  auto viapoint = pose_at(-1, -2, -std::numbers::pi / 2);  // at (7, 9) in the costmap, heading 0
+  viapoint.header.frame_id = "dock";
+  const auto path =
+      planner_.createPlan(pose_at(3, 3), pose_at(17, 3), {viapoint}, [] { return false; });
+  const auto is_there = [](const geometry_msgs::msg::PoseStamped& at) {
+    return std::hypot(at.pose.position.x - 7, at.pose.position.y - 9) < 0.06 &&
+           std::abs(at.pose.orientation.z) < 0.1;
+  };
+  EXPECT_TRUE(std::any_of(path.poses.begin(), path.poses.end(), is_there));
+  viapoint.header.frame_id = "moon";
+  EXPECT_THROW(planner_.createPlan(pose_at(3, 3), pose_at(17, 3), {viapoint}, [] { return false; }),
+               nav2_core::PlannerTFError);
+}
+
 TEST_F(Nav2Plugin, AFrameThatIsNotNamedIsTheCostmaps) {
   configure();
   auto goal = pose_at(6, 3);

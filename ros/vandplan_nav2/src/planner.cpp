@@ -208,13 +208,14 @@ void Planner::take(const std::vector<rclcpp::Parameter>& parameters) {
 }
 
 vandplan::Pose Planner::pose_of(const geometry_msgs::msg::PoseStamped& stamped) const {
+  geometry_msgs::msg::PoseStamped here = stamped;
   const std::string& frame = stamped.header.frame_id;
-  if (!frame.empty() && frame != frame_) {
-    throw nav2_core::PlannerTFError("a pose is given in '" + frame + "', expected '" + frame_ +
+  if (!frame.empty() && !costmap_ros_->transformPoseToGlobalFrame(stamped, here)) {
+    throw nav2_core::PlannerTFError("nothing is known of how '" + frame + "' lies in '" + frame_ +
                                     "', the frame of the costmap");
   }
-  const auto& [x, y, z, w] = stamped.pose.orientation;
-  return {stamped.pose.position.x, stamped.pose.position.y, vandplan::ros::heading_of(x, y, z, w)};
+  const auto& [x, y, z, w] = here.pose.orientation;
+  return {here.pose.position.x, here.pose.position.y, vandplan::ros::heading_of(x, y, z, w)};
 }
 
 nav_msgs::msg::Path Planner::message_of(const vandplan::ros::Answer& answer) const {

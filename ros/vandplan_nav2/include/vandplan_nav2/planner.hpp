@@ -50,7 +50,8 @@ class Planner : public nav2_core::GlobalPlanner {
   [[nodiscard]] rcl_interfaces::msg::SetParametersResult checked(
       const std::vector<rclcpp::Parameter>& parameters);
   void take(const std::vector<rclcpp::Parameter>& parameters);
-  [[nodiscard]] vandplan::Pose pose_of(const geometry_msgs::msg::PoseStamped& pose) const;
+  /// A pose in the frame of the costmap. One without a frame has that frame.
+  [[nodiscard]] vandplan::Pose pose_of(const geometry_msgs::msg::PoseStamped& stamped) const;
   [[nodiscard]] nav_msgs::msg::Path message_of(const vandplan::ros::Answer& answer) const;
 
   nav2::LifecycleNode::WeakPtr node_;
