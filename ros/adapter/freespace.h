@@ -32,6 +32,24 @@ struct FreespaceVehicle {
   double base2back = 0.0;     ///< rear axle to the rear [m]
 };
 
+/// The vehicle that Autoware's `VehicleInfo` describes, or its `VehicleShape`.
+template <typename From>
+FreespaceVehicle freespace_vehicle(const From& from) {
+  if constexpr (requires { from.vehicle_length_m; }) {
+    return {.length = from.vehicle_length_m,
+            .width = from.vehicle_width_m,
+            .base_length = from.wheel_base_m,
+            .max_steering = from.max_steer_angle_rad,
+            .base2back = from.rear_overhang_m};
+  } else {
+    return {.length = from.length,
+            .width = from.width,
+            .base_length = from.base_length,
+            .max_steering = from.max_steering,
+            .base2back = from.base2back};
+  }
+}
+
 /// The vehicle of a shape. Throws InputError naming the number that is wrong, in our words.
 [[nodiscard]] Vehicle vehicle_of(const FreespaceVehicle& shape, double max_turning_ratio,
                                  const DrivingLimits& limits = {});

@@ -35,17 +35,21 @@ nav_msgs::msg::OccupancyGrid yard() {
   return grid;
 }
 
-std::unique_ptr<FreespacePlanner> planner_in_yard(double time_limit = 500.0) {
-  auto planner = std::make_unique<FreespacePlanner>(
-      FreespacePlanner::PlannerCommonParam{.time_limit = time_limit,
-                                           .reverse_weight = 2.0,
-                                           .direction_change_weight = 1.5,
-                                           .max_turning_ratio = 1.0,
-                                           .obstacle_threshold = 100},
-      std::make_shared<rclcpp::Clock>(),
-      FreespacePlanner::VehicleShape{
-          .length = 4.9, .width = 2.0, .base_length = 2.8, .max_steering = 0.6, .base2back = 1.1},
-      vandplan::ros::Parameters::Values{{"target_gap", 0.5}});
+const FreespacePlanner::PlannerCommonParam usual{.time_limit = 500.0,
+                                                 .reverse_weight = 2.0,
+                                                 .direction_change_weight = 1.5,
+                                                 .max_turning_ratio = 1.0,
+                                                 .obstacle_threshold = 100};
+const FreespacePlanner::VehicleInfo car{.wheel_base_m = 2.8,
+                                        .rear_overhang_m = 1.1,
+                                        .max_steer_angle_rad = 0.6,
+                                        .vehicle_length_m = 4.9,
+                                        .vehicle_width_m = 2.0};
+
+std::unique_ptr<FreespacePlanner> planner_in_yard() {
+  auto planner =
+      std::make_unique<FreespacePlanner>(usual, std::make_shared<rclcpp::Clock>(), car,
+                                         vandplan::ros::Parameters::Values{{"target_gap", 0.5}});
   planner->setMap(yard());
   return planner;
 }
@@ -62,6 +66,14 @@ TEST(AutowarePlugin, WaypointsLeadAroundTheWall) {
   EXPECT_EQ(way.waypoints.front().pose.header.frame_id, "map");
   EXPECT_NEAR(way.waypoints.back().pose.pose.position.x, 25, 1e-5);
   EXPECT_NEAR(way.waypoints.back().pose.pose.orientation.w, 1, 1e-6);
+}
+
+TEST(AutowarePlugin, IsMadeWithTheArgumentsOfAstarSearch) {
+  rclcpp::Node node;
+  FreespacePlanner planner(usual, car, node);
+  planner.setMap(yard());
+  EXPECT_TRUE(planner.makePlan(pose_at(0, 0), pose_at(8, 0))) << planner.reason();
+  EXPECT_EQ(planner.getWaypoints().header.stamp.sec, 1);
 }
 
 TEST(AutowarePlugin, GoesBackWhereThatIsShort) {

@@ -54,6 +54,23 @@ TEST(RosFreespace, ParametersOfAutowareAreOptions) {
   EXPECT_EQ(low.options.cost.gear_change_cost, 0.0);
 }
 
+TEST(RosFreespace, AVehicleIsDescribedInEitherWay) {
+  const struct {
+    double wheel_base_m = 2.8, front_overhang_m = 9.0, rear_overhang_m = 1.1;
+    double max_steer_angle_rad = 0.6, vehicle_length_m = 4.9, vehicle_width_m = 2.0;
+  } info;
+  const struct {
+    double length = 4.9, width = 2.0, base_length = 2.8, max_steering = 0.6, base2back = 1.1;
+  } shape;
+  for (const FreespaceVehicle& made : {freespace_vehicle(info), freespace_vehicle(shape)}) {
+    EXPECT_EQ(made.length, 4.9);
+    EXPECT_EQ(made.width, 2.0);
+    EXPECT_EQ(made.base_length, 2.8);
+    EXPECT_EQ(made.max_steering, 0.6);
+    EXPECT_EQ(made.base2back, 1.1);
+  }
+}
+
 TEST(RosFreespace, OwnValuesTakePrecedence) {
   const Request request = request_of({}, car,
                                      {{"reverse_weight", 5.0},

@@ -36,14 +36,6 @@ vandplan::ros::FreespaceParameters parameters_of(const FreespacePlanner::Planner
           .obstacle_threshold = from.obstacle_threshold};
 }
 
-vandplan::ros::FreespaceVehicle vehicle_of(const FreespacePlanner::VehicleShape& from) {
-  return {.length = from.length,
-          .width = from.width,
-          .base_length = from.base_length,
-          .max_steering = from.max_steering,
-          .base2back = from.base2back};
-}
-
 /// Costs of an OccupancyGrid as bytes: -1, unknown, becomes 255.
 vandplan::ros::Costmap costmap_of(const nav_msgs::msg::OccupancyGrid& grid) {
   const auto* const bytes = reinterpret_cast<const std::uint8_t*>(grid.data.data());
@@ -58,11 +50,16 @@ vandplan::ros::Costmap costmap_of(const nav_msgs::msg::OccupancyGrid& grid) {
 
 FreespacePlanner::FreespacePlanner(const PlannerCommonParam& planner_common_param,
                                    const rclcpp::Clock::SharedPtr& clock,
-                                   const VehicleShape& collision_vehicle_shape,
+                                   const VehicleInfo& collision_vehicle,
                                    const vandplan::ros::Parameters::Values& own)
-    : AbstractPlanningAlgorithm(planner_common_param, clock, collision_vehicle_shape),
-      request_(request_of(parameters_of(planner_common_param), vehicle_of(collision_vehicle_shape),
-                          own)) {}
+    : AbstractPlanningAlgorithm(planner_common_param, clock, collision_vehicle),
+      request_(request_of(parameters_of(planner_common_param),
+                          vandplan::ros::freespace_vehicle(collision_vehicle), own)) {}
+
+FreespacePlanner::FreespacePlanner(const PlannerCommonParam& planner_common_param,
+                                   const VehicleInfo& collision_vehicle, rclcpp::Node& node,
+                                   const vandplan::ros::Parameters::Values& own)
+    : FreespacePlanner(planner_common_param, node.get_clock(), collision_vehicle, own) {}
 
 FreespacePlanner::~FreespacePlanner() = default;
 

@@ -18,18 +18,31 @@
 
 namespace vandplan_autoware {
 
+/// Finds out how this Autoware describes a vehicle: by `VehicleInfo` since 2026, before by
+/// `VehicleShape`.
+struct VehicleOfAutoware : autoware::freespace_planning_algorithms::AbstractPlanningAlgorithm {
+  template <typename Self>
+  static auto of(const Self* self) -> decltype(self->collision_vehicle_info_);
+  template <typename Self>
+  static auto of(const Self* self) -> decltype(self->collision_vehicle_shape_);
+  using Type = decltype(of(static_cast<const VehicleOfAutoware*>(nullptr)));
+};
+
 /// Takes the place of `AstarSearch` and `RRTStar`. Poses are in the frame of the costmap.
 class FreespacePlanner : public autoware::freespace_planning_algorithms::AbstractPlanningAlgorithm {
  public:
   using PlannerCommonParam = autoware::freespace_planning_algorithms::PlannerCommonParam;
-  using VehicleShape = autoware::freespace_planning_algorithms::VehicleShape;
+  using VehicleInfo = VehicleOfAutoware::Type;
 
   /// `own` are values of Vändplan's parameters by name (ros/README.md), such as
   /// {{"style", std::string("driver")}, {"margin", 0.2}}. Throws vandplan::InputError naming the
   /// number that is wrong.
   FreespacePlanner(const PlannerCommonParam& planner_common_param,
-                   const rclcpp::Clock::SharedPtr& clock,
-                   const VehicleShape& collision_vehicle_shape,
+                   const rclcpp::Clock::SharedPtr& clock, const VehicleInfo& collision_vehicle,
+                   const vandplan::ros::Parameters::Values& own = {});
+  /// The same with the arguments of `AstarSearch`.
+  FreespacePlanner(const PlannerCommonParam& planner_common_param,
+                   const VehicleInfo& collision_vehicle, rclcpp::Node& node,
                    const vandplan::ros::Parameters::Values& own = {});
   ~FreespacePlanner() override;  // in the library, which shows others nothing of Vändplan
 

@@ -102,7 +102,7 @@ class Node {
   std::map<std::string, rcl_interfaces::msg::ParameterDescriptor> descriptors = {};
 
   [[nodiscard]] Logger get_logger() const { return {}; }
-  [[nodiscard]] Clock::SharedPtr get_clock() const { return std::make_shared<Clock>(); }
+  Clock::SharedPtr get_clock() { return std::make_shared<Clock>(); }
 
   [[nodiscard]] bool has_parameter(const std::string& name) const {
     return values_.count(name) != 0;

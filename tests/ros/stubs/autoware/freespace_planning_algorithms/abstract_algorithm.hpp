@@ -9,8 +9,8 @@
 #include <rclcpp/rclcpp.hpp>
 #include <vector>
 
+#ifdef AUTOWARE_OF_2025
 namespace autoware::freespace_planning_algorithms {
-
 struct VehicleShape {
   double length = 0.0;
   double width = 0.0;
@@ -18,6 +18,24 @@ struct VehicleShape {
   double max_steering = 0.0;
   double base2back = 0.0;
 };
+using Vehicle = VehicleShape;
+}  // namespace autoware::freespace_planning_algorithms
+#else
+namespace autoware::vehicle_info_utils {
+struct VehicleInfo {
+  double wheel_base_m = 0.0;
+  double rear_overhang_m = 0.0;
+  double max_steer_angle_rad = 0.0;
+  double vehicle_length_m = 0.0;
+  double vehicle_width_m = 0.0;
+};
+}  // namespace autoware::vehicle_info_utils
+namespace autoware::freespace_planning_algorithms {
+using Vehicle = vehicle_info_utils::VehicleInfo;
+}  // namespace autoware::freespace_planning_algorithms
+#endif
+
+namespace autoware::freespace_planning_algorithms {
 
 struct PlannerCommonParam {
   double time_limit = 0.0;
@@ -46,11 +64,15 @@ struct PlannerWaypoints {
 class AbstractPlanningAlgorithm {
  public:
   AbstractPlanningAlgorithm(const PlannerCommonParam& planner_common_param,
-                            rclcpp::Clock::SharedPtr clock,
-                            const VehicleShape& collision_vehicle_shape)
+                            const rclcpp::Clock::SharedPtr& clock, const Vehicle& vehicle)
       : planner_common_param_(planner_common_param),
-        collision_vehicle_shape_(collision_vehicle_shape),
-        clock_(std::move(clock)) {}
+#ifdef AUTOWARE_OF_2025
+        collision_vehicle_shape_(vehicle),
+#else
+        collision_vehicle_info_(vehicle),
+#endif
+        clock_(clock) {
+  }
   virtual ~AbstractPlanningAlgorithm() = default;
 
   virtual void setMap(const nav_msgs::msg::OccupancyGrid& costmap) { costmap_ = costmap; }
@@ -58,12 +80,18 @@ class AbstractPlanningAlgorithm {
                         const geometry_msgs::msg::Pose& goal_pose) = 0;
   virtual bool makePlan(const geometry_msgs::msg::Pose& start_pose,
                         const std::vector<geometry_msgs::msg::Pose>& goal_candidates) = 0;
-  virtual bool hasObstacleOnTrajectory(const geometry_msgs::msg::PoseArray& trajectory) const = 0;
+  virtual bool hasObstacleOnTrajectory(const geometry_msgs::msg::PoseArray& trajectory) const {
+    return trajectory.poses.empty();
+  }
   [[nodiscard]] const PlannerWaypoints& getWaypoints() const { return waypoints_; }
 
  protected:
   PlannerCommonParam planner_common_param_;
+#ifdef AUTOWARE_OF_2025
   VehicleShape collision_vehicle_shape_;
+#else
+  vehicle_info_utils::VehicleInfo collision_vehicle_info_;
+#endif
   rclcpp::Clock::SharedPtr clock_;
   nav_msgs::msg::OccupancyGrid costmap_;
   PlannerWaypoints waypoints_;
