@@ -47,6 +47,23 @@ Path rest_of(const Path& path, const Pose& from, double step) {
   return rest;
 }
 
+double distance(const Pose& a, const Pose& b) { return std::hypot(b.x - a.x, b.y - a.y); }
+
+/// The rest of the last path, if it begins and ends so near to start and goal that it is worth a
+/// trial. Trials of other paths would make each call longer.
+std::optional<Path> known_way(const Path& last, const Request& request, const Pose& start,
+                              double step) {
+  if (last.segments.empty()) return std::nullopt;
+  const Pose end = pose_at(last, length(last));
+  const auto spare = [&](const Pose& goal) { return distance(start, goal) - distance(end, goal); };
+  double most = 0.0;
+  for (const Pose& goal : request.goals) most = std::max(most, spare(goal));
+  if (most == 0.0) return std::nullopt;
+  Path rest = rest_of(last, start, step);
+  if (distance(rest.start, start) >= most) return std::nullopt;
+  return rest;
+}
+
 /// What the path passes on its way, as poses of the rear axle, and whether the robot stands there.
 std::vector<Via> vias_of(const Request& request, bool stop) {
   std::vector<Via> vias;
@@ -197,9 +214,8 @@ std::optional<Answer> Planner::refusal(const Request& request) const {
 PlanResult Planner::result_to(const Request& request, const std::vector<GoalRegion>& goals) const {
   const Pose start = axle_pose(request.start, request.rear_axle);
   const Problem problem = problem_to(world_->world(), request, start, goals);
-  const vandplan::Planner planner =
-      last_.segments.empty() ? default_planner()
-                             : warm_started(rest_of(last_, start, costmap_.now().resolution));
+  const std::optional<Path> way = known_way(last_, request, start, costmap_.now().resolution);
+  const vandplan::Planner planner = way ? warm_started(*way) : default_planner();
   PlanOptions options = request.options;
   BudgetOptions& budget = options.budget;
   budget.stop = request.stop;

@@ -252,6 +252,25 @@ TEST(RosPlanner, MarginsGearsAndPricesHold) {
   EXPECT_EQ(cheap.poses.back().gear, Gear::reverse);
 }
 
+TEST(RosPlanner, APathElsewhereIsNoStart) {
+  const auto after = [](const Request& first, const Request& second) {
+    Planner planner = planner_in_room();
+    EXPECT_EQ(planner.plan(first).outcome, Outcome::solved);
+    const Answer answer = planner.plan(second);
+    EXPECT_EQ(answer.outcome, Outcome::solved);
+    return answer.path->segments;
+  };
+  const Pose begin{3, 3, 0};
+  const Request path = small_request(begin, {7, 9, 1}, 500);
+  const Request nothing = small_request(begin, begin, 0);  // a world with the same origin
+  const Request far_away = small_request({13, 3, 0}, {17, 9, 1}, 500);
+  EXPECT_EQ(after(path, far_away), after(nothing, far_away));
+  const Request back = small_request(begin, {3, 5, 1}, 500);
+  EXPECT_EQ(after(path, back), after(nothing, back));
+  const Request further = small_request(begin, {7, 9.5, 1}, 500);
+  EXPECT_NE(after(path, further), after(nothing, further));
+}
+
 TEST(RosPlanner, TheLastPathIsTheFirstOfTheNextCall) {
   Planner planner = planner_in_room();
   const Answer first = planner.plan(small_request(left, right));
