@@ -12,6 +12,7 @@
 #include <unordered_set>
 
 #include "io/ground.h"
+#include "io/levels.h"
 #include "io/local_plane.h"
 #include "io/roads.h"
 #include "io/site_shapes.h"
@@ -33,6 +34,7 @@ class OsmMap {
     for (const XmlNode node : file.root().children("node")) {
       nodes_[file.text(node, "id")] = node;
       has_metres_ = has_metres_ || !tag(node, "local_x").empty();
+      has_heights_ = has_heights_ && !tag(node, "ele").empty();
     }
     for (const XmlNode way : file.root().children("way")) ways_[file.text(way, "id")] = way;
     for (const XmlNode relation : file.root().children("relation")) {
@@ -64,6 +66,20 @@ class OsmMap {
     return members_.contains(node.attribute("id").value());
   }
 
+  /// Whether all nodes have a height. Otherwise all heights are 0.
+  [[nodiscard]] bool has_heights() const { return has_heights_; }
+
+  /// Heights of the points of a way.
+  [[nodiscard]] std::vector<double> heights_of(const XmlNode& way) const {
+    std::vector<double> heights;
+    for (const XmlNode part : way.children("nd")) {
+      const XmlNode node = nodes_.at(file_.text(part, "ref"));
+      const std::string_view height = has_heights_ ? tag(node, "ele") : "0";
+      heights.push_back(file_.number_from(node, "has ele ", height));
+    }
+    return heights;
+  }
+
   /// Points of a way.
   [[nodiscard]] std::vector<Point> line_of(const XmlNode& way) {
     std::vector<Point> line;
@@ -79,19 +95,18 @@ class OsmMap {
     return line;
   }
 
-  /// Lines of the ways that are members of a relation in that role.
-  [[nodiscard]] std::vector<std::vector<Point>> lines_of(const XmlNode& relation,
-                                                         std::string_view role) {
-    std::vector<std::vector<Point>> lines;
+  /// Ways that are members of a relation in that role.
+  [[nodiscard]] std::vector<XmlNode> ways_of(const XmlNode& relation, std::string_view role) const {
+    std::vector<XmlNode> ways;
     for (const XmlNode member : relation.children("member")) {
       const std::string_view type = member.attribute("type").value();
       if (type != "way" || member.attribute("role").value() != role) continue;
       const std::string id = file_.text(member, "ref");
       const auto way = ways_.find(id);
       if (way == ways_.end()) file_.fail(member, "is way " + id + ", expected one of the file");
-      lines.push_back(line_of(way->second));
+      ways.push_back(way->second);
     }
-    return lines;
+    return ways;
   }
 
  private:
@@ -133,6 +148,7 @@ class OsmMap {
   std::unordered_map<std::string, Point> points_;
   std::unordered_set<std::string> members_;  // Ids of all members of relations.
   bool has_metres_ = false;
+  bool has_heights_ = true;
   std::optional<GeoPlace> origin_;
   ToPlane to_plane_;
 };
@@ -174,21 +190,30 @@ Lane lane_from(const XmlFile& file, OsmMap& map, const XmlNode& relation) {
   Lane lane{.name = "lanelet " + file.text(relation, "id")};
   for (const bool is_left : {true, false}) {
     const char* const role = is_left ? "left" : "right";
-    const std::vector<std::vector<Point>> lines = map.lines_of(relation, role);
-    if (lines.size() != 1) {
-      file.fail(relation, fmt::format("has {} {} ways, expected one", lines.size(), role));
+    const std::vector<XmlNode> ways = map.ways_of(relation, role);
+    if (ways.size() != 1) {
+      file.fail(relation, fmt::format("has {} {} ways, expected one", ways.size(), role));
     }
-    (is_left ? lane.left : lane.right) = lines.front();
+    (is_left ? lane.left : lane.right) = map.line_of(ways.front());
+    (is_left ? lane.left_heights : lane.right_heights) = map.heights_of(ways.front());
   }
   // Ways have any direction: both edges get one direction, and then that of travel.
   const double as_they_are =
       squared(lane.left.front(), lane.right.front()) + squared(lane.left.back(), lane.right.back());
   const double turned =
       squared(lane.left.front(), lane.right.back()) + squared(lane.left.back(), lane.right.front());
-  if (turned < as_they_are) std::reverse(lane.right.begin(), lane.right.end());
+  const auto turn_left = [&] {
+    std::ranges::reverse(lane.left);
+    std::ranges::reverse(lane.left_heights);
+  };
+  const auto turn_right = [&] {
+    std::ranges::reverse(lane.right);
+    std::ranges::reverse(lane.right_heights);
+  };
+  if (turned < as_they_are) turn_right();
   if (twice_area(outline(lane)) > 0.0) {
-    std::reverse(lane.left.begin(), lane.left.end());
-    std::reverse(lane.right.begin(), lane.right.end());
+    turn_left();
+    turn_right();
   }
   lane.is_one_way = !is_any_of(tag(relation, "one_way"), {"no", "false"});
   lane.max_speed = lanelet_limit(file, relation);
@@ -218,15 +243,42 @@ Polygon ring_from(const XmlFile& file, const XmlNode& relation,
 
 std::vector<Polygon> rings_of(const XmlFile& file, OsmMap& map, const XmlNode& relation,
                               const char* role) {
-  std::vector<std::vector<Point>> lines = map.lines_of(relation, role);
+  std::vector<std::vector<Point>> lines;
+  for (const XmlNode& way : map.ways_of(relation, role)) lines.push_back(map.line_of(way));
   std::vector<Polygon> rings;
   while (!lines.empty()) rings.push_back(ring_from(file, relation, lines));
   return rings;
 }
 
-void add_obstacles(const XmlFile& file, const XmlNode& node, const std::vector<Polygon>& outlines,
+/// Lowest and highest point of ways. Ways say where something stands, not how high it is.
+Interval heights_of(const OsmMap& map, const std::vector<XmlNode>& ways) {
+  std::vector<double> heights;
+  for (const XmlNode& way : ways) {
+    const std::vector<double> more = map.heights_of(way);
+    heights.insert(heights.end(), more.begin(), more.end());
+  }
+  if (heights.empty()) return {};
+  const auto [least, most] = std::ranges::minmax(heights);
+  return {least, most};
+}
+
+void add_areas(const OsmMap& map, const std::vector<XmlNode>& ways,
+               const std::vector<Polygon>& rings, Roads& roads) {
+  const Interval heights = heights_of(map, ways);
+  for (const Polygon& ring : rings) {
+    roads.areas.push_back({ring, (heights.least + heights.most) / 2});
+  }
+}
+
+/// Adds obstacles that stand on ways, as high as a vehicle.
+void add_obstacles(const XmlFile& file, const OsmMap& map, const XmlNode& node,
+                   const std::vector<XmlNode>& ways, const std::vector<Polygon>& outlines,
                    Roads& roads) {
-  for (const Polygon& one : outlines) roads.obstacles.push_back({one, file.place_of(node)});
+  const Interval heights = heights_of(map, ways);
+  for (const Polygon& one : outlines) {
+    roads.obstacles.push_back(
+        {one, file.place_of(node), {heights.least, heights.most + clear_height}});
+  }
 }
 
 void add_relation(const XmlFile& file, OsmMap& map, const XmlNode& relation, Roads& roads) {
@@ -242,11 +294,12 @@ void add_relation(const XmlFile& file, OsmMap& map, const XmlNode& relation, Roa
     }
   } else if (type == "multipolygon") {
     if (is_for_vehicles(relation, is_any_of(subtype, {"parking", "freespace", "exit"}))) {
-      const std::vector<Polygon> rings = rings_of(file, map, relation, "outer");
-      roads.areas.insert(roads.areas.end(), rings.begin(), rings.end());
-      add_obstacles(file, relation, rings_of(file, map, relation, "inner"), roads);
+      add_areas(map, map.ways_of(relation, "outer"), rings_of(file, map, relation, "outer"), roads);
+      add_obstacles(file, map, relation, map.ways_of(relation, "inner"),
+                    rings_of(file, map, relation, "inner"), roads);
     } else if (is_any_of(subtype, {"building", "keepout", "traffic_island", "vegetation"})) {
-      add_obstacles(file, relation, rings_of(file, map, relation, "outer"), roads);
+      add_obstacles(file, map, relation, map.ways_of(relation, "outer"),
+                    rings_of(file, map, relation, "outer"), roads);
     } else {
       ++roads.left_out["area " + subtype];
     }
@@ -262,7 +315,7 @@ void add_way(const XmlFile& file, OsmMap& map, const XmlNode& way, Roads& roads)
   if (type == "parking_lot") {
     Polygon ring = map.line_of(way);
     if (ring.front() == ring.back()) ring.pop_back();
-    roads.areas.push_back(std::move(ring));
+    add_areas(map, {way}, {ring}, roads);
   } else if (type == "parking_space") {
     double width = 0.0;
     for (const XmlNode child : way.children("tag")) {
@@ -274,10 +327,9 @@ void add_way(const XmlFile& file, OsmMap& map, const XmlNode& way, Roads& roads)
     }
     const std::vector<Point> line = map.line_of(way);
     const Point ends[] = {line.front(), line.back()};
-    const std::vector<Polygon> space = walls_along(ends, width);
-    roads.areas.insert(roads.areas.end(), space.begin(), space.end());
+    add_areas(map, {way}, walls_along(ends, width), roads);
   } else if (is_any_of(type, {"wall", "fence", "guard_rail"})) {
-    add_obstacles(file, way, walls_along(map.line_of(way), wall_width), roads);
+    add_obstacles(file, map, way, {way}, walls_along(map.line_of(way), wall_width), roads);
   } else if (type == "curbstone" && tag(way, "subtype") == "high") {
     const std::vector<Polygon> kerbs = walls_along(map.line_of(way), wall_width);
     roads.kerbs.insert(roads.kerbs.end(), kerbs.begin(), kerbs.end());
@@ -286,17 +338,13 @@ void add_way(const XmlFile& file, OsmMap& map, const XmlNode& way, Roads& roads)
   }
 }
 
-/// Counts posts and heights, which are left out.
-void count_nodes(const XmlFile& file, Roads& roads) {
-  std::string_view first;
+/// Counts posts, which are left out, and heights, if only some nodes have one.
+void count_nodes(const XmlFile& file, const OsmMap& map, Roads& roads) {
   for (const XmlNode node : file.root().children("node")) {
     if (is_any_of(tag(node, "type"), {"pole", "post", "bollard"})) {
       ++roads.left_out[fmt::format("node {}", tag(node, "type"))];
     }
-    const std::string_view height = tag(node, "ele");
-    if (height.empty()) continue;
-    if (first.empty()) first = height;
-    if (height != first) ++roads.left_out["node ele"];
+    if (!map.has_heights() && !tag(node, "ele").empty()) ++roads.left_out["node ele"];
   }
 }
 
@@ -312,7 +360,7 @@ RoadScenario read_lanelet2(const RoadMap& given) {
     add_relation(file, map, relation, roads);
   }
   for (const XmlNode way : file.root().children("way")) add_way(file, map, way, roads);
-  count_nodes(file, roads);
+  count_nodes(file, map, roads);
   if (roads.lanes.empty() && roads.areas.empty()) {
     file.fail(file.root(), "has no lanelet or area for vehicles, expected one at least");
   }

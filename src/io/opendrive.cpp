@@ -23,8 +23,9 @@ namespace {
 using namespace io;
 
 constexpr double tolerance = 0.005;  // Largest distance of an edge from its corners' lines [m].
-constexpr double least_step = 0.01;  // Least distance between corners, along the road [m].
-constexpr double narrow = 0.001;     // Width below which there is no lane [m].
+constexpr double height_tolerance = 0.5;  // And of its height [m].
+constexpr double least_step = 0.01;       // Least distance between corners, along the road [m].
+constexpr double narrow = 0.001;          // Width below which there is no lane [m].
 constexpr std::size_t most_corners = 1'000'000;  // Corners of all edges of a map.
 
 /// A lane of a lane section, on one side of the reference line.
@@ -49,6 +50,7 @@ struct Road {
   XmlNode node;
   RoadLine line;
   CubicLine offset;
+  CubicLine elevation;
   SpeedLimits speeds;
 };
 
@@ -76,6 +78,7 @@ void add_side(const Road& road, const XmlNode& section, bool is_left, double s,
 /// Edges of all lanes of a section at one distance along the road.
 struct Station {
   double s = 0.0;
+  double height = 0.0;            // Height of the reference line [m].
   std::vector<double> t = {};     // Two for each lane: its inner and its outer edge [m].
   std::vector<Point> edges = {};  // Their points [m].
 };
@@ -90,6 +93,7 @@ class Section {
     std::vector<double> distances = {begin, end};
     road.line.add_begins(distances);
     road.offset.add_begins(distances);
+    road.elevation.add_begins(distances);
     for (const SectionLane& lane : lanes_) {
       lane.width.add_begins(distances);
       lane.border.add_begins(distances);
@@ -110,7 +114,7 @@ class Section {
 
  private:
   [[nodiscard]] Station at(double s) const {
-    Station station{.s = s};
+    Station station{.s = s, .height = road_.elevation.at(s)};
     const Pose on_line = road_.line.at(s);
     const double offset = road_.offset.at(s);
     double t = offset;
@@ -151,6 +155,8 @@ class Section {
   /// Whether the edges of a station are near the lines between those of two others.
   static bool is_near(const Station& station, const Station& first, const Station& last,
                       double share) {
+    const double height = first.height + (last.height - first.height) * share;
+    if (std::abs(station.height - height) > height_tolerance) return false;
     for (std::size_t i = 0; i < station.edges.size(); ++i) {
       const Point& a = first.edges[i];
       const Point& b = last.edges[i];
@@ -203,11 +209,14 @@ void add_lane(const XmlNode& road, const Section& section, std::size_t index, Ro
         std::swap(done.left, done.right);
         std::reverse(done.left.begin(), done.left.end());
         std::reverse(done.right.begin(), done.right.end());
+        std::reverse(done.left_heights.begin(), done.left_heights.end());
       }
+      done.right_heights = done.left_heights;
       roads.lanes.push_back(std::move(done));
     }
     made.left.clear();
     made.right.clear();
+    made.left_heights.clear();
   };
   for (std::size_t i = 0; i < stations.size(); ++i) {
     // A station stands for all distances that are less than `narrow` ahead.
@@ -217,6 +226,7 @@ void add_lane(const XmlNode& road, const Section& section, std::size_t index, Ro
     if (is_narrow && made.left.empty() && !goes_on) continue;
     made.left.push_back(stations[i].edges[lane.id > 0 ? outer : inner]);
     made.right.push_back(stations[i].edges[lane.id > 0 ? inner : outer]);
+    made.left_heights.push_back(stations[i].height);
     if (made.left.size() == 1) made.max_speed = limit;
     const bool changes = i + 1 < stations.size() && limit != made.max_speed;
     if (made.left.size() == 1 || !(is_narrow || changes)) continue;
@@ -253,9 +263,6 @@ void count_rest(const XmlNode& road, Roads& roads) {
         std::initializer_list<const char*>{"a", "b", "c", "d"},
         [&](const char* name) { return node.attribute(name).as_double() == 0; });
   };
-  for (const XmlNode node : road.child("elevationProfile").children("elevation")) {
-    if (!is_level(node)) ++roads.left_out["elevation"];
-  }
   for (const XmlNode node : road.child("lateralProfile").children()) {
     if (!is_level(node)) ++roads.left_out[node.name()];
   }
@@ -264,14 +271,18 @@ void count_rest(const XmlNode& road, Roads& roads) {
 
 void add_road(const XmlFile& file, const XmlNode& node, Roads& roads) {
   const XmlNode lanes = file.child(node, "lanes");
-  const Road road{file, node, RoadLine(file, node), CubicLine(file, lanes, "laneOffset", "s", 0.0),
+  const Road road{file,
+                  node,
+                  RoadLine(file, node),
+                  CubicLine(file, lanes, "laneOffset", "s", 0.0),
+                  CubicLine(file, node.child("elevationProfile"), "elevation", "s", 0.0),
                   SpeedLimits(file, node)};
   for (XmlNode section = lanes.child("laneSection"); section;) {
     const XmlNode next = section.next_sibling("laneSection");
     add_section(road, section, next ? file.number(next, "s") : road.line.length(), roads);
     section = next;
   }
-  add_objects(file, node, road.line, roads);
+  add_objects(file, node, road.line, road.elevation, roads);
   count_rest(node, roads);
   std::size_t corners = 0;
   for (const Lane& lane : roads.lanes) corners += lane.left.size() + lane.right.size();

@@ -10,7 +10,8 @@
 namespace vandplan::io {
 
 /// Adds the parking spaces of a road as areas, what stands there as obstacles, and counts all other
-/// objects as left out.
-void add_objects(const XmlFile& file, const XmlNode& road, const RoadLine& line, Roads& roads);
+/// objects as left out. `elevation` is the height of the road's reference line.
+void add_objects(const XmlFile& file, const XmlNode& road, const RoadLine& line,
+                 const CubicLine& elevation, Roads& roads);
 
 }  // namespace vandplan::io

@@ -8,9 +8,12 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "geometry/polygon.h"
 #include "io/ground.h"
+#include "io/lane_edges.h"
+#include "io/levels.h"
 #include "io/xml.h"
 #include "problem/checks.h"
 #include "vandplan/input_error.h"
@@ -32,49 +35,6 @@ struct Piece {
   std::size_t lane = 0;  // Index of the lane.
   Ring ring;
   double heading = 0.0;  // Direction of travel [rad].
-};
-
-/// Corners of both edges of a lane that face each other.
-struct Cut {
-  std::size_t left = 0;   // Index of a corner of the left edge.
-  std::size_t right = 0;  // Index of a corner of the right edge.
-};
-
-/// The edges of a lane, walked along side by side.
-class Edges {
- public:
-  explicit Edges(const Lane& lane) : lane_(lane) {}
-
-  [[nodiscard]] bool is_end(const Cut& cut) const {
-    return cut.left + 1 == lane_.left.size() && cut.right + 1 == lane_.right.size();
-  }
-  /// The next cut: a step on one edge, on that where the cut is shorter.
-  [[nodiscard]] Cut after(const Cut& cut) const {
-    const Cut left = {cut.left + 1, cut.right};
-    const Cut right = {cut.left, cut.right + 1};
-    if (right.right == lane_.right.size()) return left;
-    if (left.left == lane_.left.size()) return right;
-    return length(left) <= length(right) ? left : right;
-  }
-  [[nodiscard]] Point middle(const Cut& cut) const {
-    return between(lane_.left[cut.left], lane_.right[cut.right], 0.5);
-  }
-  /// Outline of the lane between two cuts.
-  [[nodiscard]] Polygon outline_between(const Cut& begin, const Cut& end) const {
-    Polygon corners;
-    for (std::size_t i = begin.left; i <= end.left; ++i) corners.push_back(lane_.left[i]);
-    for (std::size_t i = end.right + 1; i > begin.right; --i) {
-      corners.push_back(lane_.right[i - 1]);
-    }
-    return corners;
-  }
-
- private:
-  [[nodiscard]] double length(const Cut& cut) const {
-    return distance(lane_.left[cut.left], lane_.right[cut.right]);
-  }
-
-  const Lane& lane_;
 };
 
 /// Divides a lane into pieces where it has turned by `bend`.
@@ -258,15 +218,16 @@ std::optional<double> speed_from(double number, std::string_view unit) {
   return speed;
 }
 
-void add_roads(const Roads& roads, const RoadRules& rules, RoadScenario& result) {
+void add_roads(Roads roads, const RoadRules& rules, RoadScenario& result) {
   Scenario& scenario = result.file.scenario;
+  keep_level({scenario.start.x, scenario.start.y}, {scenario.goal.x, scenario.goal.y}, roads);
   std::vector<Ring> rings;
   const auto add = [&](const Polygon& polygon) {
     expect_near(polygon, scenario.start);
     if (auto ring = ring_of(polygon)) rings.push_back(std::move(*ring));
   };
   for (const Lane& lane : roads.lanes) add(outline(lane));
-  for (const Polygon& area : roads.areas) add(area);
+  for (const MapArea& area : roads.areas) add(area.outline);
   for (const MapObstacle& obstacle : roads.obstacles) {
     expect_near(obstacle.outline, scenario.start);
     expect_simple(obstacle, scenario.start);
@@ -288,10 +249,9 @@ void add_roads(const Roads& roads, const RoadRules& rules, RoadScenario& result)
   check_scenario(scenario);
 }
 
-void add_roads(const Roads& roads, const RoadMap& map, const std::string& place,
-               RoadScenario& result) {
+void add_roads(Roads roads, const RoadMap& map, const std::string& place, RoadScenario& result) {
   try {
-    add_roads(roads, map.rules, result);
+    add_roads(std::move(roads), map.rules, result);
   } catch (const InputError& error) {
     const std::string& key = error.where();
     if (key.starts_with("start") || key.starts_with("goal")) {

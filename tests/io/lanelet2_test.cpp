@@ -118,8 +118,42 @@ TEST_F(Lanelet2, WhatIsNotReadIsAWarning) {
       "<relation id='9'><tag k='type' v='regulatory_element'/><tag k='subtype' "
       "v='traffic_light'/></relation></osm>"));
   EXPECT_EQ(made.file.warnings,
-            std::vector<std::string>{"left out: node ele (1), node pole (1), regulatory_element "
+            std::vector<std::string>{"left out: node ele (2), node pole (1), regulatory_element "
                                      "traffic_light (1), way stop_line (1)"});
+}
+
+TEST_F(Lanelet2, ABridgeIsNoCrossing) {
+  // A lanelet from (30, -40) to (30, 40) over the road of the example, whose nodes are at 100 m.
+  const auto notes_at = [&](const std::string& height, const std::string& wall = "") {
+    std::string text = lanelet_example();
+    const std::string end = "'/></node>";
+    for (std::size_t at = text.find(end); at != std::string::npos; at = text.find(end, at + 30)) {
+      text.replace(at, end.size(), "'/><tag k='ele' v='100'/></node>");
+    }
+    const auto node = [&](int id, double x, double y) {
+      return "<node id='" + std::to_string(id) + "'><tag k='local_x' v='" + std::to_string(x) +
+             "'/><tag k='local_y' v='" + std::to_string(y) + "'/><tag k='ele' v='" + height +
+             "'/></node>";
+    };
+    const RoadScenario made = read(exchanged(
+        text, "</osm>",
+        node(51, 30, -40) + node(52, 30, 40) + node(53, 33, -40) + node(54, 33, 40) +
+            "<way id='61'><nd ref='51'/><nd ref='52'/>" + wall + "</way>" +
+            "<way id='62'><nd ref='53'/><nd ref='54'/></way>" +
+            "<relation id='63'><member type='way' ref='61' role='left'/><member type='way' "
+            "ref='62' role='right'/><tag k='type' v='lanelet'/><tag k='subtype' v='road'/>"
+            "</relation></osm>"));
+    return made.notes[0].substr(0, 18) +
+           (made.file.warnings.empty() ? "" : ", " + made.file.warnings[0]);
+  };
+  EXPECT_EQ(notes_at("104"), "lanes: 3, areas: 1");
+  EXPECT_EQ(notes_at("106"), "lanes: 2, areas: 1, left out: lane on another level (1)");
+  EXPECT_EQ(
+      notes_at("106", "<tag k='type' v='wall'/>"),
+      "lanes: 2, areas: 1, left out: lane on another level (1), obstacle on another level (1)");
+  EXPECT_EQ(
+      notes_at("94", "<tag k='type' v='wall'/>"),
+      "lanes: 2, areas: 1, left out: lane on another level (1), obstacle on another level (1)");
 }
 
 TEST_F(Lanelet2, AreasAndWaysAreGroundOrObstacles) {

@@ -49,6 +49,16 @@ class OpenDrive : public ReaderTest {
                            .start = start,
                            .goal = goal});
   }
+  /// A straight road with objects, without the walls around it.
+  RoadScenario read_with_objects(const std::string& objects) {
+    RoadScenario made = read(exchanged(map_of(straight, "<right>" + lane(-1, wide) + "</right>"),
+                                       "</road>", "<objects>" + objects + "</objects></road>"));
+    std::erase_if(made.file.scenario.obstacles, [](const Polygon& polygon) {
+      const Bounds box = bounding_box(polygon);
+      return box.x_max - box.x_min < 0.01 || box.y_max - box.y_min < 0.01;
+    });
+    return made;
+  }
   std::string message(const std::string& text) {
     return message_of([&] { return read(text); });
   }
@@ -229,16 +239,7 @@ TEST_F(OpenDrive, ParkingSpacesHaveOutlinesOrSizes) {
 }
 
 TEST_F(OpenDrive, ObjectsAreObstaclesAndMayBeRepeated) {
-  const auto read_with = [&](const std::string& objects) {
-    const std::string text = exchanged(map_of(straight, "<right>" + lane(-1, wide) + "</right>"),
-                                       "</road>", "<objects>" + objects + "</objects></road>");
-    RoadScenario made = read(text);
-    std::erase_if(made.file.scenario.obstacles, [](const Polygon& polygon) {  // Walls.
-      const Bounds box = bounding_box(polygon);
-      return box.x_max - box.x_min < 0.01 || box.y_max - box.y_min < 0.01;
-    });
-    return made;
-  };
+  const auto read_with = [&](const std::string& objects) { return read_with_objects(objects); };
   const auto obstacles = [&](const std::string& object) {
     return read_with(object).file.scenario.obstacles;
   };
@@ -258,14 +259,100 @@ TEST_F(OpenDrive, ObjectsAreObstaclesAndMayBeRepeated) {
       R"(</outline><outline outer="false"/></outlines></object>)");
   EXPECT_EQ(boxes,
             (std::vector<Polygon>{{{10, 3}, {12, 3}, {12, 6}}, {{14, 3}, {16, 3}, {16, 6}}}));
-  const RoadScenario rest = read_with(
-      R"(<object type="crosswalk" s="1" t="0"/><object type="pole" s="1" t="0"/>)"
-      R"(<object type="railing" s="0" t="0" width="1" length="1"><repeat s="0" length="9" )"
-      R"(distance="0"/></object>)");
+  const RoadScenario rest =
+      read_with(R"(<object type="crosswalk" s="1" t="0"/><object type="pole" s="1" t="0"/>)");
   EXPECT_TRUE(rest.file.scenario.obstacles.empty());
-  EXPECT_EQ(rest.file.warnings,
-            std::vector<std::string>{"left out: object crosswalk (1), object pole without a size "
-                                     "(1), object railing without a size (1)"});
+  EXPECT_EQ(
+      rest.file.warnings,
+      std::vector<std::string>{"left out: object crosswalk (1), object pole without a size (1)"});
+}
+
+TEST_F(OpenDrive, AContinuousObjectFollowsTheRoad) {
+  const auto railing = [](const std::string& repeat) {
+    return R"(<object type="railing" s="0" t="0"><repeat distance="0" )" + repeat + "/></object>";
+  };
+  const auto parts = [&](const std::string& repeat) {
+    return read_with_objects(railing(repeat)).file.scenario.obstacles;
+  };
+  EXPECT_EQ(parts(R"(s="10" length="20" tStart="2" tEnd="2" widthStart="1" widthEnd="1")"),
+            (std::vector<Polygon>{{{10, 1.5}, {30, 1.5}, {30, 2.5}, {10, 2.5}}}));
+  EXPECT_EQ(parts(R"(s="10" length="20" tStart="2" tEnd="5" widthStart="1" widthEnd="2")"),
+            (std::vector<Polygon>{{{10, 1.5}, {30, 4}, {30, 6}, {10, 2.5}}}));
+  // One without a width is as thin as a wall. Along a circle all of it is within 5 mm.
+  const std::string circle =
+      R"(<geometry s="0" x="0" y="0" hdg="0" length="188"><arc curvature="0.02"/></geometry>)";
+  const RoadScenario made =
+      read(exchanged(map_of(circle, "<right>" + lane(-1, wide) + "</right>"), "</road>",
+                     "<objects>" + railing(R"(s="0" length="188" tStart="5" tEnd="5")") +
+                         "</objects></road>"),
+           {5, -1.75, 0}, {10, -0.5, 0});
+  const Scenario& scenario = made.file.scenario;
+  const CollisionChecker checker(Footprint{0.02, 0.02, 0.02}, scenario.bounds, scenario.obstacles);
+  for (int i = 1; i < 188; ++i) {
+    const double angle = (i - 0.3) * 0.02;
+    const auto is_free_at = [&](double radius) {
+      const Pose pose{radius * std::sin(angle), 50 - radius * std::cos(angle), 0};
+      return checker.is_free(LocalPose(pose), Segment{0, 0, 0});
+    };
+    EXPECT_FALSE(is_free_at(45)) << i;
+    EXPECT_TRUE(is_free_at(44.94)) << i;
+    EXPECT_TRUE(is_free_at(45.06)) << i;
+  }
+}
+
+TEST_F(OpenDrive, WhatHangsAboveAVehicleOrLiesBelowTheRoadIsNotInTheWay) {
+  const auto count = [&](const std::string& heights) {
+    const RoadScenario made = read_with_objects(
+        R"(<object type="barrier" s="20" t="-2" length="4" width="1" )" + heights + "/>");
+    const std::size_t obstacles = made.file.scenario.obstacles.size();
+    EXPECT_EQ(made.file.warnings.empty(), obstacles == 1);
+    return obstacles;
+  };
+  EXPECT_EQ(count(R"(zOffset="4.4" height="1")"), 1U);
+  EXPECT_EQ(count(R"(zOffset="4.5" height="1")"), 0U);
+  EXPECT_EQ(count(R"(zOffset="-2" height="2.1")"), 1U);
+  EXPECT_EQ(count(R"(zOffset="-2" height="2")"), 0U);
+  EXPECT_EQ(count(R"(zOffset="-2")"), 1U) << "nobody says how high it is";
+  const RoadScenario made = read_with_objects(
+      R"(<object type="railing" s="0" t="-1"><repeat s="5" length="9" distance="0" )"
+      R"(zOffsetStart="5" zOffsetEnd="6" heightStart="1" heightEnd="1"/></object>)");
+  EXPECT_TRUE(made.file.scenario.obstacles.empty());
+  EXPECT_EQ(made.file.warnings,
+            std::vector<std::string>{"left out: object railing above or below the road (1)"});
+}
+
+TEST_F(OpenDrive, ABridgeIsNoCrossing) {
+  // A second road crosses the first one at x = 30, at a height that the elevation says.
+  const auto map_with = [&](const std::string& elevation) {
+    return exchanged(
+        map_of(straight, "<right>" + lane(-1, wide) + "</right>"), "</OpenDRIVE>",
+        R"(<road id="8"><planView><geometry s="0" x="30" y="-40" hdg="1.5707963267948966" )"
+        R"(length="80"><line/></geometry></planView><elevationProfile>)" +
+            elevation + R"(</elevationProfile><lanes><laneSection s="0"><right>)" + lane(-1, wide) +
+            "</right></laneSection></lanes></road></OpenDRIVE>");
+  };
+  const auto lanes = [&](const std::string& elevation, const Pose& start, const Pose& goal) {
+    return read(map_with(elevation), start, goal).notes[0].substr(0, 8);
+  };
+  const Pose below{5, -1.75, 0}, beyond{45, -1.75, 0}, on{31.5, 20, 1}, above{31.5, -1.5, 1};
+  const std::string six = R"(<elevation s="0" a="6" b="0" c="0" d="0"/>)";
+  const std::string two = R"(<elevation s="0" a="2" b="0" c="0" d="0"/>)";
+  // From -40 at 0 m it rises to 6 m where it crosses, and falls again.
+  const std::string arched = R"(<elevation s="0" a="0" b="0.3" c="-0.00375" d="0"/>)";
+  EXPECT_EQ(lanes(six, below, beyond), "lanes: 1");
+  EXPECT_EQ(lanes(arched, below, beyond), "lanes: 1");
+  EXPECT_EQ(lanes(two, below, beyond), "lanes: 2");
+  EXPECT_EQ(read(map_with(six), below, beyond).file.warnings,
+            std::vector<std::string>{"left out: lane on another level (1)"});
+  // Below the bridge the road goes on straight ahead, and nowhere else.
+  const Scenario street = read(map_with(six), below, beyond).file.scenario;
+  const CollisionChecker checker(Footprint{0.1, 0.1, 0.1}, street.bounds, street.obstacles);
+  EXPECT_TRUE(checker.is_free(LocalPose(below), Segment{0, 40, 0}));
+  EXPECT_FALSE(checker.is_free(LocalPose(Pose{31.5, -1.5, pi / 2}), Segment{0, 10, 0}));
+  EXPECT_FALSE(checker.is_free(LocalPose(Pose{31.5, -1.5, -pi / 2}), Segment{0, 10, 0}));
+  // Where both roads are, the goal says which one it is; or else it is the lower one.
+  EXPECT_EQ(bounding_box(read(map_with(six), above, on).file.scenario.zones[0].area).y_max, 40);
+  EXPECT_EQ(bounding_box(read(map_with(six), above, above).file.scenario.zones[0].area).y_max, 0);
 }
 
 TEST_F(OpenDrive, SpeedLimitsOfLanesComeBeforeThoseOfRoads) {
@@ -292,14 +379,13 @@ TEST_F(OpenDrive, SpeedLimitsOfLanesComeBeforeThoseOfRoads) {
 }
 
 TEST_F(OpenDrive, WhatIsNotReadIsAWarning) {
-  const std::string text = exchanged(
-      exchanged(map_of(straight, "<right>" + lane(-1, wide) + "</right>"), "<lanes>",
-                R"(<elevationProfile><elevation s="0" a="0" b="0" c="0" d="0"/><elevation s="9" )"
-                R"(a="0" b="0.1" c="0" d="0"/></elevationProfile><lateralProfile><superelevation )"
-                R"(s="0" a="0.1" b="0" c="0" d="0"/></lateralProfile><lanes>)"),
-      "</road>", "<signals><signal/><signal/></signals></road>");
+  const std::string text =
+      exchanged(exchanged(map_of(straight, "<right>" + lane(-1, wide) + "</right>"), "<lanes>",
+                          R"(<lateralProfile><superelevation s="0" a="0.1" b="0" c="0" d="0"/>)"
+                          R"(</lateralProfile><lanes>)"),
+                "</road>", "<signals><signal/><signal/></signals></road>");
   EXPECT_EQ(read(text).file.warnings,
-            std::vector<std::string>{"left out: elevation (1), signal (2), superelevation (1)"});
+            std::vector<std::string>{"left out: signal (2), superelevation (1)"});
 }
 
 TEST_F(OpenDrive, WhatIsWrongHasOneLine) {

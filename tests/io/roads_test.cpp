@@ -52,7 +52,7 @@ double length_of_walls(const Scenario& scenario) {
 TEST(Roads, WallsStandAroundTheUnionOfLanesAndAreas) {
   io::Roads roads;
   roads.lanes = {lane_along(0, 0, 4), lane_along(20, 0, 4)};
-  roads.areas = {box(5, 15, -6, 0), box(8, 30, -9, -5)};  // the second overlaps the first
+  roads.areas = {{box(5, 15, -6, 0)}, {box(8, 30, -9, -5)}};  // the second overlaps the first
   const Scenario scenario = scenario_of(roads, {2, 2, 0}, {38, 2, 0}).file.scenario;
   // The lanes have 40 m above, 30 m below and 4 m at each end; then the sides of both areas.
   EXPECT_NEAR(length_of_walls(scenario), 78 + (6 + 3 + 5) + (3 + 22 + 4 + 15), 0.05);
@@ -81,7 +81,7 @@ TEST(Roads, ALaneThatTouchesItselfHasNoZoneInTheFrameOfTheScenario) {
 
 TEST(Roads, WallsAreJustOutside) {
   io::Roads roads;
-  roads.areas = {box(0, 20, 0, 10)};
+  roads.areas = {{box(0, 20, 0, 10)}};
   const Scenario scenario = scenario_of(roads, {4, 5, 0}, {15, 5, 0}).file.scenario;
   ASSERT_EQ(scenario.obstacles.size(), 4U);
   EXPECT_EQ(scenario.obstacles[0], (Polygon{{0, 0}, {0, -0.001}, {20, -0.001}, {20, 0}}));
@@ -108,14 +108,14 @@ TEST(Roads, NobodyLeavesTheGround) {
         const Pose corner = compose(pose, {x, y, 0});
         area.push_back({corner.x, corner.y});
       }
-      roads.areas.push_back(area);
+      roads.areas.push_back({area});
     }
     const auto is_on_ground = [&](const Point& point) {
       return std::any_of(roads.areas.begin(), roads.areas.end(),
-                         [&](const Polygon& area) { return contains(area, point); });
+                         [&](const io::MapArea& area) { return contains(area.outline, point); });
     };
-    const Point corner = roads.areas[0][0];
-    const Point other = roads.areas[0][2];
+    const Point corner = roads.areas[0].outline[0];
+    const Point other = roads.areas[0].outline[2];
     const Pose middle{(corner.x + other.x) / 2, (corner.y + other.y) / 2, 0};
     const Scenario scenario = scenario_of(roads, middle, middle).file.scenario;
     for (int i = 0; i < 100; ++i) {
