@@ -3,12 +3,14 @@
 #include "collision/zones.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
 #include <numbers>
 
 #include "collision/travel.h"
+#include "geometry/boxes.h"
 
 namespace vandplan::collision {
 namespace {
@@ -41,11 +43,24 @@ double furthest_of(const Vehicle& vehicle) {
                   std::abs(vehicle.hitch) + trailer.wheelbase + furthest_of(footprint(trailer)));
 }
 
-/// Distance of a place from a box [m].
-double distance_from(const Bounds& box, const Pose& place) {
-  const double x = std::max({box.x_min - place.x, place.x - box.x_max, 0.0});
-  const double y = std::max({box.y_min - place.y, place.y - box.y_max, 0.0});
-  return std::hypot(x, y);
+/// Box around all places up to `length` [m] from a place.
+Bounds box_around(const Pose& place, double length) {
+  return {place.x - length, place.x + length, place.y - length, place.y + length};
+}
+
+/// Box around all places of the rear axle on a segment: around the ellipse of ways of its length
+/// from its begin to its end.
+Bounds box_of_axle(const Pose& from, const Segment& segment, const Pose& to) {
+  constexpr double rounding = 1e-6;  // [m]
+  const double dx = to.x - from.x, dy = to.y - from.y;
+  const double bulge =
+      std::sqrt(std::max(segment.length * segment.length - dx * dx - dy * dy, 0.0)) / 2 + rounding;
+  return {std::min(from.x, to.x) - bulge, std::max(from.x, to.x) + bulge,
+          std::min(from.y, to.y) - bulge, std::max(from.y, to.y) + bulge};
+}
+
+bool are_apart(const Bounds& a, const Bounds& b) {
+  return a.x_min > b.x_max || b.x_min > a.x_max || a.y_min > b.y_max || b.y_min > a.y_max;
 }
 
 /// A checker that takes the area for an obstacle of what the rules are about.
@@ -79,12 +94,13 @@ bool any_astray(const Travel& travel, const HeadingRange& allowed, Breaks breaks
   return false;
 }
 
-/// Adds the places where the axle crosses the side from `a` to `b`.
-void add_crossings(const Pose& from, const Segment& segment, const Point& a, const Point& b,
-                   std::vector<double>& places) {
+/// Adds the places where the axle crosses the side from `a` to `b`. `axle`: box of the axle.
+void add_crossings(const Pose& from, const Segment& segment, const Bounds& axle, const Point& a,
+                   const Point& b, std::vector<double>& places) {
+  // Most sides are out of reach.
+  if (are_apart(axle, bounding_box(std::array{a, b}))) return;
   const Point side{b.x - a.x, b.y - a.y};
   const double squared = side.x * side.x + side.y * side.y;
-  // Most sides are out of reach.
   const Point off{from.x - a.x, from.y - a.y};
   const double reach = std::abs(segment.length) * std::sqrt(squared);
   const double ahead = side.x * off.x + side.y * off.y;
@@ -116,17 +132,13 @@ struct Zones::Checked {
   Checked(const Vehicle& vehicle, const Zone& of)
       : zone(of),
         keeper(keeper_of(vehicle, of)),
-        box(bounding_box(of.area)),
-        reach((of.body ? furthest_of(vehicle) : speck) + CollisionChecker::tolerance) {}
+        box(geometry::widened(bounding_box(of.area), (of.body ? furthest_of(vehicle) : speck) +
+                                                         CollisionChecker::tolerance)) {}
 
-  [[nodiscard]] bool is_far(const Pose& from, const Segment& segment) const {
-    return distance_from(box, from) > reach + std::abs(segment.length);
-  }
-
-  /// Whether a segment may begin or lead into the area. `gear`: direction of travel in time.
+  /// Whether a segment near the area may begin or lead into it. `gear`: direction of travel in
+  /// time.
   [[nodiscard]] bool allows(const Vehicle& vehicle, const LocalState& from, const Segment& segment,
                             int gear) const {
-    if (!is_restricted(zone) || is_far(from.pose, segment)) return true;
     if (zone.closed) return keeper->is_free(from, segment);
     if (segment.length == 0.0) return true;
     if (zone.gears == (gear > 0 ? AllowedGears::reverse : AllowedGears::forward)) {
@@ -148,21 +160,20 @@ struct Zones::Checked {
 
   /// Adds the places where the zone begins or ceases to hold.
   void add_changes(const Vehicle& vehicle, const LocalState& from, const Segment& segment,
-                   std::vector<double>& places) const {
+                   const Bounds& axle, std::vector<double>& places) const {
     if (zone.body) {
       add_touches(vehicle, from, segment, 0.0, std::abs(segment.length), places);
       return;
     }
     for (std::size_t i = 0; i < zone.area.size(); ++i) {
-      add_crossings(from.pose, segment, zone.area[i], zone.area[(i + 1) % zone.area.size()],
+      add_crossings(from.pose, segment, axle, zone.area[i], zone.area[(i + 1) % zone.area.size()],
                     places);
     }
   }
 
   Zone zone;
   std::unique_ptr<const CollisionChecker> keeper;
-  Bounds box;
-  double reach;  // Largest distance from the rear axle of what the zone is about [m].
+  Bounds box;  // Around all places of the rear axle where the zone can hold.
 
  private:
   /// Adds the ends of parts on which the body may touch the area.
@@ -186,6 +197,10 @@ struct Zones::Checked {
 Zones::Zones(const Vehicle& vehicle, std::span<const Zone> zones, std::span<const Mask> masks)
     : vehicle_(vehicle) {
   for (const Zone& zone : zones) all_.emplace_back(vehicle, zone);
+  for (const Checked& each : all_) {
+    if (is_restricted(each.zone)) ruling_.push_back({each.box, &each});
+    if (each.zone.cost != 1.0 || each.zone.max_speed) telling_.push_back({each.box, &each});
+  }
   for (const Mask& mask : masks) {
     if (mask.use != MaskUse::obstacles) masks_.emplace_back(mask);
   }
@@ -207,30 +222,36 @@ bool Zones::have_speed_limits() const noexcept {
 
 bool Zones::allow(const LocalState& from, std::span<const Segment> segments,
                   InTime in_time) const noexcept {
+  if (ruling_.empty()) return true;
   const int sign = in_time == InTime::onward ? 1 : -1;
   LocalState state = from;
   for (const Segment& segment : segments) {
     const int gear = segment.length < 0 ? -sign : sign;
-    for (const Checked& each : all_) {
-      if (!each.allows(vehicle_, state, segment, gear)) return false;
+    const LocalState end = advance(vehicle_, state, segment);
+    const Bounds axle = box_of_axle(state.pose, segment, end.pose);
+    for (const auto& [box, zone] : ruling_) {
+      if (!are_apart(axle, box) && !zone->allows(vehicle_, state, segment, gear)) return false;
     }
-    state = advance(vehicle_, state, segment);
+    state = end;
   }
   return true;
 }
 
 std::vector<GroundPart> Zones::along(const LocalState& from, const Segment& segment) const {
   const double length = std::abs(segment.length);
+  const Bounds reached = box_around(from.pose, length);
+  const auto is_far = [&](const Boxed& each) { return are_apart(reached, each.box); };
+  if (masks_.empty() && std::ranges::all_of(telling_, is_far)) return {{0.0, length}};
+  const Bounds axle = box_of_axle(from.pose, segment, advance(from.pose, segment));
   std::vector<const Checked*> near;
   std::vector<double> places{0.0, length};
-  for (const Checked& each : all_) {
-    const bool says_nothing = each.zone.cost == 1.0 && !each.zone.max_speed;
-    if (says_nothing || each.is_far(from.pose, segment)) continue;
-    near.push_back(&each);
-    each.add_changes(vehicle_, from, segment, places);
+  for (const auto& [box, zone] : telling_) {
+    if (are_apart(axle, box)) continue;
+    near.push_back(zone);
+    zone->add_changes(vehicle_, from, segment, axle, places);
   }
   for (const MaskCells& mask : masks_) mask.add_changes(from.pose, segment, places);
-  if (near.empty() && places.size() == 2 && masks_.empty()) return {{0.0, length}};
+  if (near.empty() && masks_.empty()) return {{0.0, length}};
   std::sort(places.begin(), places.end());
   std::vector<GroundPart> parts;
   for (std::size_t i = 1; i < places.size(); ++i) {

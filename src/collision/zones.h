@@ -39,9 +39,15 @@ class Zones {
 
  private:
   struct Checked;
+  /// A zone and the box around all places of the rear axle where it can hold.
+  struct Boxed {
+    Bounds box;
+    const Checked* zone;
+  };
 
   Vehicle vehicle_;
   std::vector<Checked> all_;
+  std::vector<Boxed> ruling_, telling_;  // Zones that forbid something; with a price or a speed.
   std::vector<MaskCells> masks_;
 };
 
