@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 
 #include "collision/travel.h"
@@ -106,11 +107,34 @@ void MaskCells::tell(const Point& place, GroundPart& part) const {
   }
   const std::uint8_t here =
       percent(static_cast<std::int32_t>(at.x), static_cast<std::int32_t>(at.y));
-  if (is_silent_[here]) return;
+  if (!is_silent_[here]) apply(values_[here], part);
+}
+
+void MaskCells::tell_least(const Point& place, double reach, GroundPart& part) const {
+  const Pose at = in_cells({place.x, place.y, 0.0});
+  const double off = reach / mask_.map.resolution;
+  if (!(at.x - off >= box_.column && at.x + off < box_.end_column && at.y - off >= box_.row &&
+        at.y + off < box_.end_row)) {
+    return;
+  }
+  const auto cell = [](double value) { return static_cast<std::int32_t>(value); };
+  const bool is_cost = mask_.use == MaskUse::cost;
+  double least = is_cost ? std::numeric_limits<double>::infinity() : 0.0;
+  for (std::int32_t row = cell(at.y - off); row <= cell(at.y + off); ++row) {
+    for (std::int32_t column = cell(at.x - off); column <= cell(at.x + off); ++column) {
+      const std::uint8_t here = percent(column, row);
+      if (is_silent_[here]) return;
+      least = is_cost ? std::min(least, values_[here]) : std::max(least, values_[here]);
+    }
+  }
+  apply(least, part);
+}
+
+void MaskCells::apply(double value, GroundPart& part) const {
   if (mask_.use == MaskUse::cost) {
-    part.cost *= values_[here];
+    part.cost *= value;
   } else {
-    part.max_speed = std::min(part.max_speed, values_[here]);
+    part.max_speed = std::min(part.max_speed, value);
   }
 }
 

@@ -24,6 +24,8 @@ class MaskCells {
 
   /// Applies what the mask says at a place to a part of a segment.
   void tell(const Point& place, GroundPart& part) const;
+  /// Applies the least that the mask says at any place up to `reach` [m] from a place.
+  void tell_least(const Point& place, double reach, GroundPart& part) const;
 
  private:
   /// Cells from (`column`, `row`) to before (`end_column`, `end_row`).
@@ -31,6 +33,7 @@ class MaskCells {
     std::int32_t column, row, end_column, end_row;
   };
 
+  void apply(double value, GroundPart& part) const;
   [[nodiscard]] std::uint8_t percent(std::int32_t column, std::int32_t row) const;
   [[nodiscard]] Box speaking() const;
   [[nodiscard]] Pose in_cells(const Pose& pose) const;

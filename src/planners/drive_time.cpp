@@ -18,7 +18,7 @@ double braking_of(const DrivingLimits& limits) {
   return limits.max_braking.value_or(limits.max_acceleration);
 }
 
-double top_speed(const DrivingLimits& limits) {
+double higher_speed(const DrivingLimits& limits) {
   return std::max(limits.max_speed.forward, limits.max_speed.reverse);
 }
 
@@ -32,12 +32,22 @@ double drive_time(const Task& task, std::span<const Segment> segments) {
       .duration;
 }
 
+double top_speed(const Vehicle& vehicle, const search::CostRule& prices) {
+  const DrivingLimits& limits = vehicle.limits;
+  return !prices.allows(-1)  ? limits.max_speed.forward
+         : !prices.allows(1) ? limits.max_speed.reverse
+                             : higher_speed(limits);
+}
+
+std::array<double, 2> ramps_to(const Vehicle& vehicle, double speed) {
+  const DrivingLimits& limits = vehicle.limits;
+  return {speed * speed / (2 * limits.max_acceleration), speed * speed / (2 * braking_of(limits))};
+}
+
 double drive_time_lower_bound(const Vehicle& vehicle, const search::CostRule& prices,
                               double length) {
   const DrivingLimits& limits = vehicle.limits;
-  const double top = !prices.allows(-1)  ? limits.max_speed.forward
-                     : !prices.allows(1) ? limits.max_speed.reverse
-                                         : top_speed(limits);
+  const double top = top_speed(vehicle, prices);
   // Gaining and losing the speed v takes the time v * slowness, and the way v^2 * slowness / 2.
   const double slowness = 1 / limits.max_acceleration + 1 / braking_of(limits);
   const double v = std::min(top, std::sqrt(2 * length / slowness));
@@ -47,7 +57,7 @@ double drive_time_lower_bound(const Vehicle& vehicle, const search::CostRule& pr
 
 search::CostRule prices_like_time(const Task& task) {
   const DrivingLimits& limits = task.vehicle.limits;
-  const double top = top_speed(limits);
+  const double top = higher_speed(limits);
   const double slowness = 1 / limits.max_acceleration + 1 / braking_of(limits);
   const double stop = share_of_stop * top * top * slowness / 2;
   // Time for a change of curvature by 1/m, if the wheels are about straight [s m].
@@ -61,7 +71,7 @@ search::CostRule prices_like_time(const Task& task) {
 
 search::CostRule with_time(const search::CostRule& prices, const Task& task, double time_price) {
   const search::CostRule time = prices_like_time(task);
-  const double share = time_price / top_speed(task.vehicle.limits);
+  const double share = time_price / higher_speed(task.vehicle.limits);
   const double forward = prices.forward_weight + share * time.forward_weight;
   const double reverse = prices.reverse_weight + share * time.reverse_weight;
   // Searches are guided by lengths, so a metre in the cheaper gear must cost one metre.

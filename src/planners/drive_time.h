@@ -3,6 +3,7 @@
 #pragma once
 // How long does driving take, where the cost is the time?
 
+#include <array>
 #include <span>
 
 #include "vandplan/path.h"
@@ -13,6 +14,12 @@ namespace vandplan::planning {
 
 /// Duration of the fastest drive from the start along the segments [s].
 [[nodiscard]] double drive_time(const Task& task, std::span<const Segment> segments);
+
+/// Highest speed in the gears that the prices allow [m/s].
+[[nodiscard]] double top_speed(const Vehicle& vehicle, const search::CostRule& prices);
+
+/// Distances from start and goal beyond which drives may have a speed [m].
+[[nodiscard]] std::array<double, 2> ramps_to(const Vehicle& vehicle, double speed);
 
 /// Lower bound of the duration of drives of at least `length` metres [s]: at the highest speed of
 /// the gears that the prices allow, with one start and one stop.

@@ -106,27 +106,31 @@ void LegBounds::sharpen(Leg& leg, const Stop& from, const Stop& to) const {
                 std::max(leg.ground.shortest, sharp.shortest), sharp.leeway};
 }
 
-// The disc around the rear axle has the same way whatever the headings.
+// The rear axle has the same way whatever the headings, and so has a disc around it.
 void LegBounds::raise(std::size_t leg, const Pose& from, const Pose& to,
                       const LeastLength& proven) {
   const bool tells_headings = search::bound_disc(vehicle_).ahead != 0.0;
   const auto is_at = [](const Stop& stop, const Pose& pose) {
     return (stop.region == nullptr || !is_continuous(*stop.region)) && stop.place.end.pose == pose;
   };
-  const auto is_around = [&](const Stop& stop, const Pose& pose) {
+  const auto is_there = [&](const Stop& stop, const Pose& pose) {
     const Pose& middle = stop.place.end.pose;
-    return is_at(stop, pose) || (!tells_headings && is_one_place(stop.region) &&
-                                 middle.x == pose.x && middle.y == pose.y);
+    return is_at(stop, pose) ||
+           (is_one_place(stop.region) && middle.x == pose.x && middle.y == pose.y);
   };
   for (std::size_t i = 0; i < stages_[leg].size(); ++i) {
     const Stop& first = stages_[leg][i];
-    if (!is_around(first, from)) continue;
+    if (!is_there(first, from)) continue;
     for (std::size_t j = 0; j < stages_[leg + 1].size(); ++j) {
       const Stop& last = stages_[leg + 1][j];
-      if (!is_around(last, to)) continue;
+      if (!is_there(last, to)) continue;
       Leg& known = legs_[leg][i][j];
+      known.added = std::max(known.added, proven.added);
+      known.in_zones = std::max(known.in_zones, proven.in_zones);
+      const bool is_exact = is_at(first, from) && is_at(last, to);
+      if (tells_headings && !is_exact) continue;
       double least = proven.around - first.place.end.off.position - last.place.end.off.position;
-      if (is_at(first, from) && is_at(last, to)) {
+      if (is_exact) {
         sharpen(known, first, last);
         least = std::max(least, proven.turning - known.ground.leeway);
       }
@@ -252,7 +256,8 @@ void LegBounds::halve(std::size_t stage, std::size_t stop) {
   stops[stop] = half(0);
   stops.push_back(half(1));
   const auto split = [&](const Leg& old, const Stop& from, const Stop& to) {
-    Leg leg{.ground = old.ground, .around = old.around};
+    Leg leg = old;
+    leg.is_sharp = false;
     leg.around = std::max(leg.around, gap_between(from.place.box, to.place.box));
     return leg;
   };
@@ -298,13 +303,28 @@ std::vector<double> LegBounds::moves() const {
   return moves;
 }
 
+/// Sum over all legs of the least that is known of any of their pairs.
+double LegBounds::sum_of_least(double Leg::*known) const {
+  double sum = 0.0;
+  for (const auto& pairs : legs_) {
+    double least = no_chain;
+    for (const std::vector<Leg>& row : pairs) {
+      for (const Leg& leg : row) least = std::min(least, leg.*known);
+    }
+    sum += least;
+  }
+  return sum;
+}
+
 double LegBounds::least() {
   while (!is_settled_) {
     work_ -= find_chain();
     is_settled_ = work_ <= 0 || least_ == no_chain || !improve_chain();
   }
-  if (!pricing_.counts_time() || least_ == no_chain) return least_;
-  return pricing_.cost_lower_bound(moves(), least_);
+  if (least_ == no_chain) return least_;
+  const double by_lengths =
+      pricing_.counts_time() ? pricing_.cost_lower_bound(moves(), least_) : least_;
+  return std::max(by_lengths + sum_of_least(&Leg::added), sum_of_least(&Leg::in_zones));
 }
 
 }  // namespace vandplan::planning

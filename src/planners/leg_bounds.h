@@ -40,6 +40,8 @@ class LegBounds {
   struct Leg {
     anytime::OpenGround ground;
     double around = 0.0;    // lower bound of its length around obstacles [m]
+    double added = 0.0;     // what zones and masks add at least to its cost
+    double in_zones = 0.0;  // lower bound of its cost by zones and masks alone
     bool is_sharp = false;  // whether `ground` tells headings
   };
   /// Start, goal, or a part of a via.
@@ -65,6 +67,7 @@ class LegBounds {
   bool improve_chain();
   void halve(std::size_t stage, std::size_t stop);
   [[nodiscard]] std::vector<double> moves() const;
+  [[nodiscard]] double sum_of_least(double Leg::*known) const;
 
   const Pricing& pricing_;
   const Vehicle& vehicle_;

@@ -17,11 +17,13 @@
 
 namespace vandplan::planning {
 
-/// Lower bounds of the length of all paths of a task with exact ends [m]. They hold whatever the
-/// gears and curvatures at the ends. Infinite: there is no path.
+/// Lower bounds of the length of all paths of a task with exact ends [m], and of costs. They hold
+/// whatever the gears and curvatures at the ends. Infinite: there is no path.
 struct LeastLength {
-  double around = 0.0;   ///< ends that are off make a path shorter by no more than they are off
-  double turning = 0.0;  ///< ends that are off make it shorter by at most `OpenGround::leeway`
+  double around = 0.0;    ///< ends that are off make a path shorter by no more than they are off
+  double turning = 0.0;   ///< ends that are off make it shorter by at most `OpenGround::leeway`
+  double added = 0.0;     ///< what zones and masks add at least to the cost that a length tells
+  double in_zones = 0.0;  ///< bound of the cost, by rules and prices of zones and masks alone
 };
 
 /// A planner that can be continued. What it has found after a number of iterations does not depend

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "planners/drive_time.h"
+#include "search/zone_bound.h"
 
 namespace vandplan::planning {
 namespace {
@@ -105,6 +106,23 @@ double Pricing::cost_lower_bound(std::span<const double> lengths, double priced)
     time += drive_time_lower_bound(task_.vehicle, prices_, length);
   }
   return is_time_ ? time : priced + time_price_ * time;
+}
+
+search::MetreCost Pricing::added_metre_cost() const {
+  search::MetreCost cost;
+  if (!is_time_) cost.priced = std::min(prices_.forward_weight, prices_.reverse_weight);
+  if (!counts_time()) return cost;
+  cost.second = is_time_ ? 1.0 : time_price_;
+  cost.top_speed = top_speed(task_.vehicle, prices_);
+  cost.ramps = ramps_to(task_.vehicle, cost.top_speed);
+  return cost;
+}
+
+search::MetreCost Pricing::metre_cost() const {
+  search::MetreCost cost = added_metre_cost();
+  cost.anywhere = cost.priced + cost.second / cost.top_speed;
+  cost.ramps = {};
+  return cost;
 }
 
 Pricing pricing_of(const Task& task, const PlanOptions& options, double time_price) {

@@ -11,6 +11,10 @@
 #include "vandplan/problem.h"
 #include "vandplan/search.h"
 
+namespace vandplan::search {
+struct MetreCost;
+}
+
 namespace vandplan::planning {
 
 /// Addition to the cost of a drive for strokes before and after gear changes that are shorter than
@@ -80,6 +84,11 @@ class Pricing {
   /// Likewise of drives that stand between moves, each of which has at least one of these `lengths`
   /// [m].
   [[nodiscard]] double cost_lower_bound(std::span<const double> lengths, double priced) const;
+
+  /// What each metre costs in a proof about zones: all that it costs at least, or only what zones
+  /// and masks add to `cost_lower_bound`.
+  [[nodiscard]] search::MetreCost metre_cost() const;
+  [[nodiscard]] search::MetreCost added_metre_cost() const;
 
  private:
   [[nodiscard]] double path_cost(std::span<const Segment> segments, double near) const;

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/trigonometry.h"
 #include "geometry/boxes.h"
 #include "geometry/polygon.h"
 
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double slack_of_sides = 2e-3;       // of places; larger than all tolerances [m]
 constexpr double slack_of_directions = 1e-5;  // larger than the judge's [rad]
+constexpr double slack_of_half = 1e-6;        // by which half of all directions may be off [rad]
 
 /// Whether none of the directions has the sense: all point the other way, by more than `room`
 /// [rad].
@@ -33,7 +35,12 @@ OneWay::OneWay(const std::vector<Zone>& zones, const Disc& disc, double radius) 
   for (const Zone& zone : zones) {
     if (!zone.direction) continue;
     const double near = zone.body ? disc.radius : -std::abs(disc.ahead);
-    Street street{zone.area, bounding_box(zone.area), *zone.direction, near, {}};
+    Street street{zone.area, bounding_box(zone.area), *zone.direction, near, {}, {}};
+    const double half = width(*zone.direction) / 2;
+    if (half + std::atan(std::abs(disc.ahead) / radius) <= std::numbers::pi / 2 + slack_of_half) {
+      const auto [sin, cos] = base::sin_cos(zone.direction->from + half);
+      street.onward = Point{cos, sin};
+    }
     for (int sense = 0; sense < 4; ++sense) {
       street.bars[static_cast<std::size_t>(sense)] = bars_sense(*zone.direction, sense, room);
     }
@@ -47,7 +54,7 @@ std::vector<Bounds> OneWay::barring() const {
   for (const Street& street : streets_) {
     const auto& bars = street.bars;
     const bool bars_any = std::find(bars.begin(), bars.end(), true) != bars.end();
-    if (bars_any) boxes.push_back(street.box);
+    if (bars_any || street.onward) boxes.push_back(street.box);
   }
   return boxes;
 }
@@ -77,6 +84,25 @@ bool OneWay::forbids(const Point& centre, double off, double heading, double tur
            geometry::distance_from_border(street.area, centre) <=
                street.near - off - slack_of_sides;
   });
+}
+
+int OneWay::street_of(const Point& middle, double off) const {
+  const auto street = std::find_if(streets_.begin(), streets_.end(), [&](const Street& each) {
+    return each.onward && contains(geometry::widened(each.box, std::max(each.near, 0.0)), middle) &&
+           geometry::distance_from_border(each.area, middle) <= each.near - off - slack_of_sides;
+  });
+  return street == streets_.end() ? -1 : static_cast<int>(street - streets_.begin());
+}
+
+OneWay::Along OneWay::range_along(int street, const Point& middle, double off,
+                                  bool is_backward) const {
+  const auto& [area, box, direction, near, bars, onward] =
+      streets_[static_cast<std::size_t>(street)];
+  const double sign = is_backward ? -1.0 : 1.0;
+  const double x = onward->x * (middle.x - box.x_min);
+  const double y = onward->y * (middle.y - box.y_min);
+  const double most = off * std::max(std::abs(onward->x), std::abs(onward->y));
+  return {static_cast<float>(sign * (x + y) - most), static_cast<float>(sign * (x + y) + most)};
 }
 
 }  // namespace vandplan::search

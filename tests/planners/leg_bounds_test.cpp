@@ -52,6 +52,21 @@ double leg_bound(const Problem& problem, const CostOptions& cost, std::int64_t w
   return planning::LegBounds(problem.task(), pricing, work).least();
 }
 
+TEST(LegBounds, CountZonesThatEveryWayOfALegLeadsThrough) {
+  Scenario scenario{
+      .bounds = {-10, 90, -20, 20}, .goal = {80, 0, 0}, .via = {in_any_heading(40, 0)}};
+  scenario.zones = {{.area = box(15, -25, 25, 25), .cost = 3},
+                    {.area = box(55, -25, 60, 25), .cost = 2}};
+  PlanOptions options;
+  options.budget.max_iterations = is_sanitized ? 500 : 60'000;
+  const PlanResult result = plan(make_problem(scenario), options);
+  ASSERT_TRUE(result.path);
+  EXPECT_LE(*result.lower_bound, result.cost * (1 + 1e-9));
+  if (!is_sanitized) {
+    EXPECT_GT(*result.lower_bound, 80 + 0.8 * 25);
+  }
+}
+
 // ---- What is proven is true ----
 
 /// Segments of random lengths, gears and curvatures, or of shortest words between random poses.

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "problem/masks.h"
-#include "search/barrier.h"
+#include "search/zone_bound.h"
 #include "support/cases.h"
 #include "support/draws.h"
 #include "support/grids.h"
@@ -365,10 +365,10 @@ TEST(ProofsOfZones, AGapBesideAOneWayStreetIsOpen) {
         {.area = box(18, -60, 22, side - room + up), .direction = HeadingRange{pi - 1, pi + 1}}};
     const Problem problem = make_problem(scenario);
     ASSERT_TRUE(check_path(problem, {problem.start(), {{0, 40}}}).valid);
-    search::Barrier barrier(problem.task(), 0);
-    while (barrier.step()) {
+    search::ZoneBound zones(problem.task(), 0);
+    while (zones.step()) {
     }
-    EXPECT_FALSE(barrier.is_proven()) << up;
+    EXPECT_FALSE(zones.is_proven()) << up;
   }
 }
 
@@ -385,10 +385,10 @@ TEST(ProofsOfZones, SpareEndsOnEitherSideOfALine) {
       .bounds = {-5, 5, -5, 15}, .start = {-1e-7, 0, ahead}, .goal = {4e-7, 0.02, ahead}};
   scenario.zones = {{.area = box(-20, -20, 20, 20), .direction = HeadingRange{ahead, 3.1}}};
   const Problem problem = make_problem(scenario);
-  search::Barrier barrier(problem.task(), 0);
-  while (barrier.step()) {
+  search::ZoneBound zones(problem.task(), 0);
+  while (zones.step()) {
   }
-  EXPECT_FALSE(barrier.is_proven());
+  EXPECT_FALSE(zones.is_proven());
 }
 
 TEST(ProofsOfZones, HoldForRigs) {

@@ -16,9 +16,9 @@
 #include "../support/draws.h"
 #include "../support/grids.h"
 #include "../support/problems.h"
-#include "search/barrier.h"
 #include "search/geodesic.h"
 #include "search/geodesic_field.h"
+#include "search/zone_bound.h"
 #include "vandplan/planner.h"
 #include "vandplan/random.h"
 #include "vandplan/steering.h"
@@ -443,10 +443,10 @@ TEST(PoseFlood, IsBelowPathsThatKeepToStreets) {
     const double least = length(path);
     const double bound = flood_bound(problem.task(), 1.1 * least, 500, only);
     ASSERT_LE(bound, least * (1 + 1e-9)) << as_code(path);
-    search::Barrier barrier(problem.task(), only);
-    while (barrier.step()) {
+    search::ZoneBound zones(problem.task(), only);
+    while (zones.step()) {
     }
-    ASSERT_FALSE(barrier.is_proven()) << as_code(path);
+    ASSERT_FALSE(zones.is_proven()) << as_code(path);
     around.zones.clear();
     const Problem without = problem_in(around, path.start, end_pose(path), vehicle);
     raised += bound > flood_bound(without.task(), 1.1 * least, 500, only) + 1e-3 ? 1 : 0;

@@ -73,6 +73,7 @@ class Composer {
   void add_detours();
   void add_survey();
   void add_wall_prover();
+  void add_zone_prover();
   void add_cheapest_drive();
   void add_proposals(const NamedSource& source, std::uint64_t number);
   void feed(std::string_view listener);
@@ -268,6 +269,13 @@ void Composer::add_wall_prover() {
   };
 }
 
+// [6b] Adds the zone prover.
+void Composer::add_zone_prover() {
+  const auto never = [](const Progress&) { return 0; };
+  Slot& slot = add("zone prover", std::make_unique<ZoneProver>(task_, *pricing_), never);
+  slot.proofs = share_of_zone_prover(*pricing_);
+}
+
 // [7b] Adds the worker that judges routes by the whole drive.
 void Composer::add_cheapest_drive() {
   Slot& slot = add("cheapest drive",
@@ -319,6 +327,7 @@ Portfolio Composer::portfolio() && {
   if (bend_) add("bend", std::move(bend_), share(shares::bend));
   if (has_survey_) add_survey();
   add_wall_prover();
+  if (has_rules_of_ground(task_)) add_zone_prover();
   if (pricing_->counts_time()) add_cheapest_drive();
   for (std::size_t i = 0; i < sources_.size(); ++i) add_proposals(sources_[i], i);
   feed("bend");

@@ -22,6 +22,10 @@ CostBound::CostBound(const Task& task, const planning::Pricing& pricing)
 }
 
 double CostBound::least(const Proven& proven) const {
+  return std::max(by_lengths(proven) + proven.added, proven.in_zones);
+}
+
+double CostBound::by_lengths(const Proven& proven) const {
   if (rig_) return rig_->judged * (1 - of_rig);
   const search::CostRule& rule = pricing_.rule();
   // Ends within the judge's tolerance make the way around obstacles shorter by at most this much.

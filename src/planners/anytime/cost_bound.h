@@ -31,6 +31,8 @@ class CostBound {
     double exact = 0.0;   // lower bound for drives with exact ends
   };
 
+  [[nodiscard]] double by_lengths(const Proven& proven) const;
+
   const planning::Pricing& pricing_;
   OpenGround ground_;
   std::optional<Rig> rig_;  // none for a vehicle without a trailer

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "planners/anytime/shares.h"
+
 namespace vandplan::anytime {
 
 LengthProver::LengthProver(const Task& task, search::GearSign only)
@@ -41,10 +43,10 @@ Proven LengthProver::proven() const {
 std::int64_t WallProver::prove(std::int64_t steps, const search::Budget& budget) {
   if (enclosures_.empty()) {
     for (const Body& body : bodies_) enclosures_.emplace_back(*body.task);
-    barrier_.emplace(*bodies_.front().task, only_);
+    zones_.emplace(*bodies_.front().task, only_);
   }
   std::int64_t all = 0;
-  while (all < steps && !budget.is_interrupted() && barrier_->step()) ++all;
+  while (all < steps && !budget.is_interrupted() && zones_->step()) ++all;
   for (search::Enclosure& enclosure : enclosures_) {
     std::int64_t done = 0;
     while (done < steps && !budget.is_interrupted() && enclosure.step()) ++done;  // [8]
@@ -54,11 +56,48 @@ std::int64_t WallProver::prove(std::int64_t steps, const search::Budget& budget)
 }
 
 Proven WallProver::proven() const {
-  if (barrier_ && barrier_->is_proven()) return {.walled_in = "nothing that keeps to the zones"};
+  if (zones_ && zones_->is_proven()) return {.walled_in = "nothing that keeps to the zones"};
   for (std::size_t i = 0; i < enclosures_.size(); ++i) {
     if (enclosures_[i].is_proven()) return {.walled_in = bodies_[i].name};
   }
   return {};
+}
+
+bool has_rules_of_ground(const Task& task) {
+  const Surroundings& ground = task.world->local();
+  return !ground.zones.empty() || !ground.masks.empty();
+}
+
+Share share_of_zone_prover(const planning::Pricing& pricing) {
+  return [factor = pricing.counts_time() ? shares::zone_steps_by_time : 1](const Progress& now) {
+    const std::int64_t steps = now.is_settled ? shares::settled_zone_steps : shares::zone_steps;
+    return now.has_route ? growing_share(factor * steps, now.rounds_with_route) : 0;
+  };
+}
+
+std::int64_t ZoneProver::prove(std::int64_t steps, const search::Budget& budget) {
+  if (!added_) {
+    const search::GearSign only = pricing_.rule().only_gear();
+    added_.emplace(task_, only, pricing_.added_metre_cost());
+    all_.emplace(task_, only,
+                 bounds_length() ? search::MetreCost{.anywhere = 1.0} : pricing_.metre_cost());
+  }
+  std::int64_t done = 0;
+  for (search::ZoneBound* bound : {&*added_, &*all_}) {
+    while (done < steps && !budget.is_interrupted() && bound->step()) ++done;
+  }
+  return done;
+}
+
+Proven ZoneProver::proven() const {
+  if (!added_) return {};
+  if (bounds_length()) return {.shortest = all_->bound()};
+  return {.added = added_->bound(), .in_zones = all_->bound()};
+}
+
+bool ZoneProver::bounds_length() const {
+  const bool has_prices = task_.checker->has_prices() || task_.checker->has_speed_limits();
+  return !has_prices && !task_.vehicle.trailer;
 }
 
 }  // namespace vandplan::anytime

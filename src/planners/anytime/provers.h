@@ -9,11 +9,13 @@
 #include <utility>
 #include <vector>
 
+#include "planners/anytime/portfolio.h"
 #include "planners/anytime/worker.h"
-#include "search/barrier.h"
+#include "planners/pricing.h"
 #include "search/enclosure.h"
 #include "search/geodesic.h"
 #include "search/pose_flood.h"
+#include "search/zone_bound.h"
 
 namespace vandplan::anytime {
 
@@ -65,7 +67,34 @@ class WallProver final : public Worker {
   std::vector<Body> bodies_;
   search::GearSign only_;
   std::deque<search::Enclosure> enclosures_;  // one for each body; none before the first step
-  std::optional<search::Barrier> barrier_;    // none before the first step
+  std::optional<search::ZoneBound> zones_;    // none before the first step
 };
+
+/// Whether zones or masks say anything.
+[[nodiscard]] bool has_rules_of_ground(const Task& task);
+
+/// Proves what zones and masks add to the cost of all paths: to their length, if there are only
+/// rules and no trailer. It has steps but no iterations.
+class ZoneProver final : public Worker {
+ public:
+  /// Task and pricing outlive the worker.
+  ZoneProver(const Task& task, const planning::Pricing& pricing) : task_(task), pricing_(pricing) {}
+
+  [[nodiscard]] bool has_work() const override { return false; }
+  [[nodiscard]] Found work(std::int64_t, const Told&, const search::Budget&) override { return {}; }
+  std::int64_t prove(std::int64_t steps, const search::Budget& budget) override;
+  [[nodiscard]] Proven proven() const override;
+  [[nodiscard]] Counts counts() const override { return {}; }
+
+ private:
+  [[nodiscard]] bool bounds_length() const;
+
+  const Task& task_;
+  const planning::Pricing& pricing_;
+  std::optional<search::ZoneBound> added_, all_;  // none before the first step
+};
+
+/// Steps of the zone prover in a round.
+[[nodiscard]] Share share_of_zone_prover(const planning::Pricing& pricing);
 
 }  // namespace vandplan::anytime

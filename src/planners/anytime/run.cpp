@@ -86,6 +86,8 @@ Proven Run::proven() const {
     const Proven proven = slot.worker->proven();
     all.shortest = std::max(all.shortest, proven.shortest);
     all.shortest_turn = std::max(all.shortest_turn, proven.shortest_turn);
+    all.added = std::max(all.added, proven.added);
+    all.in_zones = std::max(all.in_zones, proven.in_zones);
     if (all.walled_in.empty()) all.walled_in = proven.walled_in;
   }
   return all;
@@ -288,7 +290,9 @@ PlannerAnswer Run::answer() {
 
 planning::LeastLength Run::least_length() const {
   const Proven all = proven();
-  if (all.walled_in.empty()) return {all.shortest, all.shortest_turn};
+  if (all.walled_in.empty()) {
+    return {all.shortest, all.shortest_turn, all.added, all.in_zones};
+  }
   constexpr double endless = std::numeric_limits<double>::infinity();
   return {endless, endless};
 }

@@ -87,6 +87,12 @@ inline constexpr std::int64_t early_wall_steps = 32;
 inline constexpr std::int64_t late_wall_steps = 3;
 inline constexpr std::int64_t rounds_of_early_wall_steps = 2;
 
+/// Share of the zone prover with a route [steps a round]: before and after the best cost hardly
+/// falls, and factor by time, when rounds are slow.
+inline constexpr std::int64_t zone_steps = 4;
+inline constexpr std::int64_t settled_zone_steps = 16;
+inline constexpr std::int64_t zone_steps_by_time = 8;
+
 }  // namespace shares
 
 /// Factor of the shares in a round. Rounds grow with time, so that workers on several threads

@@ -45,6 +45,10 @@ struct Proven {
   /// Lower bound of the length of paths with exact ends, with headings [m]. Ends that are off may
   /// make a path shorter by `OpenGround::leeway`.
   double shortest_turn = 0.0;
+  /// What zones and masks add at least to the cost that the lengths tell.
+  double added = 0.0;
+  /// Lower bound of the cost, by rules and prices of zones and masks alone.
+  double in_zones = 0.0;
   /// What is proven not to get from the start to the goal, such as "nothing as wide as the
   /// vehicle"; empty: none.
   std::string_view walled_in = {};

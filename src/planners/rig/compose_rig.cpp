@@ -146,6 +146,10 @@ void add_workers(anytime::Portfolio& portfolio, const Task& task, const PlanOpti
   portfolio.slots.back().proofs = [](const Progress& now) {
     return now.has_route ? 0 : steps_of_proof << std::min(now.rounds, most_doublings_of_proof);
   };
+  if (!anytime::has_rules_of_ground(task)) return;
+  add("zone prover", std::make_unique<anytime::ZoneProver>(setting->task, *portfolio.pricing),
+      [](const Progress&) { return 0; });
+  portfolio.slots.back().proofs = anytime::share_of_zone_prover(*portfolio.pricing);
 }
 
 }  // namespace vandplan::rig
