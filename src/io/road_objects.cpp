@@ -20,7 +20,7 @@ namespace {
 
 constexpr double most_copies = 10'000;  // Copies of one object, or parts of a continuous one.
 constexpr double tolerance = 0.005;  // Largest distance of a continuous object from its parts [m].
-constexpr double least_step = 0.01;  // Least length of a part along the road [m].
+constexpr double least_part = 0.01;  // Least length of a part along the road [m].
 constexpr double least_width = 0.001;  // Width of a continuous object that has none [m].
 
 /// Where an object stands along, beside and above its road, and how large it is [m].
@@ -120,10 +120,10 @@ class ObjectReader {
   void add_up_to(const XmlNode& repeat, double end, double length,
                  std::vector<ObjectPlace>& places) const {
     const double first = places.back().s - file_.number(repeat, "s");
-    if (end - first < least_step && end < length) return;
+    if (end - first < least_part && end < length) return;
     const ObjectPlace last = place_in(repeat, end, length);
     const double middle = (first + end) / 2;
-    if (end - first > 2 * least_step &&
+    if (end - first > 2 * least_part &&
         std::ranges::any_of(std::initializer_list<double>{0.25, 0.5, 0.75}, [&](double share) {
           const ObjectPlace at = place_in(repeat, first + share * (end - first), length);
           return distance(middle_of(at),
