@@ -24,7 +24,7 @@ inline const Vehicle truck{.wheelbase = 6.1,
                            .limits = {.max_steering_rate = 0.71}};
 
 /// The yard: crates of 1 to 5 m, and a goal at one side.
-inline Problem yard() {
+inline Scenario scenario() {
   Rng rng(42);
   Scenario scenario{.name = "yard",
                     .vehicle = truck,
@@ -41,8 +41,10 @@ inline Problem yard() {
                                   {corner.x + width, corner.y + height},
                                   {corner.x, corner.y + height}});
   }
-  return make_problem(scenario);
+  return scenario;
 }
+
+inline Problem yard() { return make_problem(scenario()); }
 
 /// Random free poses of the yard.
 inline std::vector<Pose> free_poses(const Problem& problem, std::size_t count, std::uint64_t seed) {

@@ -99,6 +99,40 @@ class SiteTable {
                                                        const PlanOptions& options,
                                                        const SiteTableOptions& table = {});
 
+/// A table that follows its world: where obstacles come and go it is repaired, not made anew.
+///
+///   ChangingSiteTable docks(problem, goals, options);
+///   ground.patch({.added = {parked}});  // ground: a ChangingWorld
+///   docks.repair(make_problem(ground.world(), vehicle, start, goal));
+///   const auto way = site_way(docks.table(), problem, options);
+///
+/// It keeps some 15 MB for each goal, where a table has one.
+class ChangingSiteTable {
+ public:
+  /// Makes the table as `make_site_table` does, and throws InputError as that, also naming "stop"
+  /// if it was asked to stop.
+  ChangingSiteTable(const Problem& problem, std::span<const Pose> goals, const PlanOptions& options,
+                    const SiteTableOptions& table = {});
+  ~ChangingSiteTable();
+  ChangingSiteTable(ChangingSiteTable&&) noexcept;
+  ChangingSiteTable& operator=(ChangingSiteTable&&) noexcept;
+
+  /// Makes the table that of the problem's world. It finds itself where that world differs from the
+  /// last one. The result is the table that `make_site_table` makes for the world, byte for byte,
+  /// except that the table keeps its box. A goal that is not free has no ways until it is free
+  /// again. Where bounds, origin or the shape of a map differ, the table is made anew. Throws
+  /// InputError naming "problem" if the vehicle is another one or obstacles move; then the table
+  /// stays.
+  void repair(const Problem& problem);
+
+  /// The table. Copies that were taken before a repair stay as they are.
+  [[nodiscard]] const SiteTable& table() const noexcept;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
 /// A way that a table knows. It is free: the vehicle's checker has accepted it.
 struct SiteWay {
   std::size_t goal = 0;  ///< number of the goal in the table

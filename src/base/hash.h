@@ -14,12 +14,15 @@ namespace vandplan::base {
 /// The hash of no bytes.
 inline constexpr std::uint64_t empty_hash = 0xcbf29ce484222325U;
 
+/// What the hash is multiplied by with each byte.
+inline constexpr std::uint64_t hash_prime = 0x100000001b3U;
+
 /// The hash of `bytes`. With the hash of other bytes as `before`, it is the hash of these other
 /// bytes followed by `bytes`.
 [[nodiscard]] constexpr std::uint64_t hash_of(std::string_view bytes,
                                               std::uint64_t before = empty_hash) noexcept {
   std::uint64_t hash = before;
-  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3U;
+  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * hash_prime;
   return hash;
 }
 

@@ -11,13 +11,14 @@
 namespace vandplan::search {
 namespace {
 
+// Length of a straight step [cells]; long enough to leave its cell.
+constexpr double straight_cells = 1.5;
 constexpr double bucket = 0.02;  // Range of ranks in a bucket [turning radii].
 constexpr double max_buckets = 8192.0;
 constexpr float sure_steps = 0.3F;     // Clearance above which a step is free [step lengths].
 constexpr float sure_fineness = 4.0F;  // Added to that clearance [errors of the raster].
 constexpr float patience = 2.0F;  // Increase of a rank after which a node waits again [buckets].
 constexpr float unasked = -1.0F;
-constexpr float infinite = std::numeric_limits<float>::infinity();
 
 /// Begins to bring what is needed soon into the cache. A field spends most of its time waiting for
 /// memory.
@@ -31,11 +32,7 @@ DriveField::DriveField(Connector& connector, ClearanceRaster& raster, const Boun
       raster_(raster),
       root_(root),
       headings_(options.headings),
-      arcs_(options.arcs),
       turn_(2 * std::numbers::pi / options.headings),
-      of_table_(options.of_table),
-      x_end_(options.of_table != nullptr ? static_cast<float>(box.x_max) : infinite),
-      y_end_(options.of_table != nullptr ? static_cast<float>(box.y_max) : infinite),
       x_min_(static_cast<float>(box.x_min)),
       y_min_(static_cast<float>(box.y_min)),
       greediness_(static_cast<float>(options.greediness)),
@@ -49,7 +46,7 @@ DriveField::DriveField(Connector& connector, ClearanceRaster& raster, const Boun
   columns_ = static_cast<std::int64_t>((box.x_max - box.x_min) / cell) + 1;
   rows_ = static_cast<std::int64_t>((box.y_max - box.y_min) / cell) + 1;
   gear_change_ = static_cast<float>(rule.gear_change_cost);
-  turning_ = static_cast<float>(rule.curvature_change_cost / radius / arcs_);
+  turning_ = static_cast<float>(rule.curvature_change_cost / radius);
   clearance_weight_ = static_cast<float>(rule.clearance_weight);
   clearances_of_metre_ = static_cast<float>(1 / rule.clearance_distance);
   states_.resize(static_cast<std::size_t>(columns_ * rows_ * headings_ * 2));
@@ -61,13 +58,10 @@ DriveField::DriveField(Connector& connector, ClearanceRaster& raster, const Boun
     for (const GearSign gear : {1, -1}) {
       if (!rule.allows(gear)) continue;
       const double weight = rule.weight(gear);
-      for (int number = 0; number <= 2 * arcs_; ++number) {
-        const int side = number % 2 == 0 ? -number / 2 : (number + 1) / 2;  // 0, 1, -1, 2, -2 ..
-        const int turn = (side > 0 ? 1 : side < 0 ? -1 : 0) * gear;
-        const double sharp = radius * arcs_ / std::max(1, std::abs(side));
-        const double length = side == 0 ? straight_cells * cell : turn_ * sharp;
-        const Pose to = advance(from, Segment{side / (radius * arcs_), gear * length});
-        const int turned = (heading + turn + headings_) % headings_;
+      for (const int side : {0, 1, -1}) {
+        const double length = side == 0 ? straight_cells * cell : turn_ * radius;
+        const Pose to = advance(from, Segment{side / radius, gear * length});
+        const int turned = (heading + side * gear + headings_) % headings_;
         steps_.push_back({static_cast<float>(to.x), static_cast<float>(to.y),
                           static_cast<float>(length), static_cast<float>(weight * length),
                           static_cast<std::int16_t>(turned), static_cast<std::int8_t>(side),
@@ -105,17 +99,17 @@ LocalPose DriveField::pose(const Node& node) const {
 }
 
 Segment DriveField::step_to(const Node& node) const {
-  const double sharpest = connector_.radius() * arcs_;
-  const double length = node.side == 0 ? static_cast<double>(steps_.front().length)
-                                       : turn_ * sharpest / std::abs(node.side);
-  return {node.side / sharpest, node.gear * length};
+  const double length =
+      node.side == 0 ? static_cast<double>(steps_.front().length) : turn_ * connector_.radius();
+  return {node.side / connector_.radius(), node.gear * length};
 }
 
+/// Index of the cell of a point; -1 outside the box.
 std::int64_t DriveField::cell_of(float x, float y) const noexcept {
   const float column = (x - x_min_) * cells_of_metre_;
   const float row = (y - y_min_) * cells_of_metre_;
   const bool is_inside = column >= 0.0F && row >= 0.0F && column < static_cast<float>(columns_) &&
-                         row < static_cast<float>(rows_) && x <= x_end_ && y <= y_end_;
+                         row < static_cast<float>(rows_);
   if (!is_inside) return -1;
   return static_cast<std::int64_t>(row) * columns_ + static_cast<std::int64_t>(column);
 }
@@ -184,21 +178,6 @@ float DriveField::near_at(float clearance) const noexcept {
          std::max(0.0F, 1.0F - std::max(clearance, 0.0F) * clearances_of_metre_);
 }
 
-/// Cost that small clearance and zones add to the step to a node of a table.
-float DriveField::surcharge_of_table(const Node& parent, const Node& node) const {
-  const CostRule& rule = connector_.rule();
-  const Segment step = step_to(node);
-  double metres = std::abs(step.length);
-  if (rule.has_priced_ground) {
-    metres = 0.0;
-    for (const GroundPart& part : of_table_->ground_along(pose(parent), step)) {
-      metres += part.cost * (part.end - part.begin);
-    }
-  }
-  const double factor = 1.0 + 0.5 * static_cast<double>(node.near + parent.near);
-  return static_cast<float>(rule.weight(node.gear) * (factor * metres - std::abs(step.length)));
-}
-
 /// Whether the step to a node is free. Adds the cost of small clearance to the node and its rank.
 bool DriveField::enter(Node& node, float& rank) {
   const Node& parent = this->node(node.parent);
@@ -212,8 +191,7 @@ bool DriveField::enter(Node& node, float& rank) {
   }
   node.is_open = true;
   node.near = near_at(clearance);
-  float added = 0.5F * (node.near + parent.near) * static_cast<float>(std::abs(step.length));
-  if (of_table_ != nullptr) added = surcharge_of_table(parent, node);
+  const float added = 0.5F * (node.near + parent.near) * static_cast<float>(std::abs(step.length));
   node.cost += added;
   rank += added;
   return true;

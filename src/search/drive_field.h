@@ -23,11 +23,6 @@ struct FieldOptions {
   double cell = 0.25;  ///< Side of a position cell [turning radii].
   /// Weight of the guide's estimate. Above 1 fewer poses are expanded and costlier ways found.
   double greediness = 1.0;
-  /// Checker of a field for a table; null: the field is for a search. A table leaves out poses
-  /// beyond the box, though the last cells reach beyond it. Its metres near obstacles cost more in
-  /// a dearer gear, and prices of zones count.
-  const CollisionChecker* of_table = nullptr;
-  int arcs = 1;  ///< Arcs on each side; their curvatures are equal parts of the sharpest.
 };
 
 /// Costs of ways from a root, made of arcs and lines of fixed lengths. Each cell of place, heading
@@ -44,12 +39,10 @@ class DriveField {
     float near;              // Cost that small clearance adds to a metre here.
     std::int32_t parent;     // Parent node; `none` for the root.
     std::int16_t heading;    // Steps of a turn, relative to the root's heading.
-    std::int8_t side, gear;  // Step that leads here: number of the arc, left above 0; 0 straight.
+    std::int8_t side, gear;  // Step that leads here: side 1 left, 0 straight, -1 right.
     bool is_open;            // Whether that step is known to be free.
   };
   static constexpr std::int32_t none = -1;
-  /// Length of a straight step [cells]; long enough to leave its cell.
-  static constexpr double straight_cells = 1.5;
 
   /// Ways begin at the root, after driving in gear `driven`. Ways that cost more than `most` in
   /// total are ignored [m]. The connector must have the cost rule of this direction. Connector and
@@ -76,18 +69,9 @@ class DriveField {
   [[nodiscard]] const Node& node(std::int32_t id) const {
     return nodes_[static_cast<std::size_t>(id)];
   }
-  /// Node that was expanded in a cell, heading and gear; `none` if there is none.
-  [[nodiscard]] std::int32_t expanded(std::int64_t cell, int heading, int gear) const noexcept {
-    return states_[state_of(cell, heading, gear)].node;
-  }
   [[nodiscard]] LocalPose pose(const Node& node) const;
   /// Segment that leads from a node's parent to the node.
   [[nodiscard]] Segment step_to(const Node& node) const;
-
-  /// Index of the cell of a point, row by row; -1 outside the box.
-  [[nodiscard]] std::int64_t cell_of(float x, float y) const noexcept;
-  [[nodiscard]] std::int64_t columns() const noexcept { return columns_; }
-  [[nodiscard]] std::int64_t rows() const noexcept { return rows_; }
 
   /// Continuation of a way of another field in this field, which has the opposite direction.
   struct Onward {
@@ -114,13 +98,13 @@ class DriveField {
     std::int8_t side, gear;
   };
 
+  [[nodiscard]] std::int64_t cell_of(float x, float y) const noexcept;
   [[nodiscard]] std::size_t state_of(std::int64_t cell, int heading, int gear) const noexcept;
   [[nodiscard]] float to_go(const Node& node, std::int64_t cell);
   void push(const Entry& entry);
   void find_front();
   [[nodiscard]] float clearance_at(const Node& node) noexcept;
   [[nodiscard]] float near_at(float clearance) const noexcept;
-  [[nodiscard]] float surcharge_of_table(const Node& parent, const Node& node) const;
   [[nodiscard]] bool enter(Node& node, float& rank);
   void expand(std::int32_t id);
 
@@ -128,16 +112,13 @@ class DriveField {
   ClearanceRaster& raster_;
   Pose root_;
   int headings_;
-  int arcs_;
   double turn_;
-  const CollisionChecker* of_table_;
-  float x_end_, y_end_;  // largest x and y of a pose
   float x_min_, y_min_, cells_of_metre_, buckets_of_metre_, greediness_;
   std::int64_t columns_, rows_;
   /// Prices [m]: a gear change; turning the wheels from straight to full lock.
   float gear_change_, turning_;
   float clearance_weight_, clearances_of_metre_;
-  std::vector<Step> steps_;  // A line and all arcs in each allowed gear, for each heading.
+  std::vector<Step> steps_;  // Three steps in each allowed gear, for each heading.
   std::vector<float> cos_, sin_;
   const Guide* guide_ = nullptr;
   /// Guide's estimate at the centre of each cell; negative: not asked yet.

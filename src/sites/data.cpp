@@ -10,7 +10,6 @@
 
 #include "base/bytes.h"
 #include "base/hash.h"
-#include "search/drive_field.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan::sites {
@@ -19,7 +18,7 @@ namespace {
 using base::append, base::read_at;
 
 constexpr std::string_view magic = "vp-site ";
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 // Places in the head.
 constexpr std::size_t version_at = 8;
 constexpr std::size_t headings_at = 12;
@@ -32,15 +31,12 @@ constexpr std::size_t head_size = 96;
 constexpr std::size_t goal_size = 48;
 constexpr std::uint64_t most_goals = 1'000'000;
 
-constexpr std::size_t bits_of_word = 64;
 constexpr std::size_t word_size = 12;  // 64 bits and the number of bits set before them
 constexpr std::size_t pair_size = 6;   // costs and steps of both gears
+/// Length of a straight step [cells]; long enough to leave its cell.
+constexpr double straight_cells = 1.5;
 constexpr std::uint16_t unreached = 0xFFFF;
 constexpr std::uint8_t step_at_goal = 255;
-
-std::uint64_t words_of(const SiteGrid& grid) {
-  return (grid.pairs() + bits_of_word - 1) / bits_of_word;
-}
 
 std::uint64_t size_of(const SiteGrid& grid, const SiteLayer& layer) {
   return words_of(grid) * word_size + layer.count * pair_size;
@@ -98,6 +94,34 @@ SiteEntry entry_of(std::uint8_t code, const SiteLayer& layer, const SiteState& s
   return entry;
 }
 
+/// The least power of two in which the largest cost fits. So the unit seldom depends on it, and
+/// equal costs have equal numbers.
+double unit_of(double largest) {
+  int exponent = 0;
+  (void)std::frexp(std::max(largest, 1.0) / most_units, &exponent);
+  return std::ldexp(1.0, exponent);
+}
+
+/// Appends the numbers of the pairs of a word. Returns the word: a bit for each pair.
+std::uint64_t append_pairs(const SiteGrid& grid, const SiteLayer& layer,
+                           const std::vector<SiteRecord>& records, std::string& pairs) {
+  std::uint64_t word = 0;
+  for (std::size_t i = 0; i < records.size();) {
+    const std::uint64_t pair = records[i].pair;
+    word |= std::uint64_t{1} << pair % pairs_of_word;
+    std::uint16_t costs[2] = {unreached, unreached};
+    std::uint8_t steps[2] = {0, 0};
+    for (; i < records.size() && records[i].pair == pair; ++i) {
+      const std::size_t gear = records[i].gear > 0 ? 0 : 1;
+      costs[gear] = static_cast<std::uint16_t>(std::lround(records[i].entry.cost / layer.unit));
+      steps[gear] = code_of(grid, layer, records[i]);
+    }
+    append(pairs, std::uint32_t{costs[1]} << 16 | costs[0]);
+    append(pairs, static_cast<std::uint16_t>(steps[1] << 8 | steps[0]));
+  }
+  return word;
+}
+
 int sign_of(int arc) { return arc > 0 ? 1 : arc < 0 ? -1 : 0; }
 
 void append_double(std::string& bytes, double number) {
@@ -108,9 +132,14 @@ double double_at(std::string_view bytes, std::size_t at) {
   return std::bit_cast<double>(read_at<std::uint64_t>(bytes, at));
 }
 
+/// Checksum of all but the checksum. Words make it eight times as fast as bytes.
 std::uint64_t checksum_of(std::string_view bytes) {
-  const std::uint64_t head = base::hash_of(bytes.substr(0, checksum_at));
-  return base::hash_of(bytes.substr(head_size), head);
+  std::uint64_t sum = base::hash_of(bytes.substr(0, checksum_at));
+  std::size_t at = head_size;
+  for (; at + 8 <= bytes.size(); at += 8) {
+    sum = (sum ^ read_at<std::uint64_t>(bytes, at)) * base::hash_prime;
+  }
+  return base::hash_of(bytes.substr(at), sum);
 }
 
 SiteGrid grid_in(std::string_view bytes, const std::string& file) {
@@ -165,9 +194,9 @@ std::optional<SiteEntry> SiteData::find(const SiteLayer& layer,
   if (!is_inside) return std::nullopt;
   const std::int64_t cell = std::int64_t{state.row} * grid.columns + state.column;
   const auto pair = static_cast<std::uint64_t>(cell * grid.headings + state.heading);
-  const auto word_at = static_cast<std::size_t>(layer.at + pair / bits_of_word * word_size);
+  const auto word_at = static_cast<std::size_t>(layer.at + pair / pairs_of_word * word_size);
   const auto word = read_at<std::uint64_t>(bytes, word_at);
-  const std::uint64_t bit = std::uint64_t{1} << pair % bits_of_word;
+  const std::uint64_t bit = std::uint64_t{1} << pair % pairs_of_word;
   if ((word & bit) == 0) return std::nullopt;
   const auto before = static_cast<std::uint64_t>(std::popcount(word & (bit - 1)));
   const std::uint64_t place = read_at<std::uint32_t>(bytes, word_at + 8) + before;
@@ -193,43 +222,41 @@ SiteState SiteData::after(const SiteState& state, const SiteEntry& entry) const 
 
 Segment site_step(const SiteGrid& grid, int gear, int arc) noexcept {
   const double sharpest = grid.radius * arcs_of_site;
-  const double length = arc == 0 ? search::DriveField::straight_cells * grid.cell
+  const double length = arc == 0 ? straight_cells * grid.cell
                                  : 2 * std::numbers::pi / grid.headings * sharpest / std::abs(arc);
   return {arc / sharpest, gear * length};
 }
 
-std::string layer_to_bytes(const SiteGrid& grid, const std::vector<SiteRecord>& records,
-                           SiteLayer& layer) {
-  double most = 0.0;
-  for (const SiteRecord& record : records) most = std::max(most, record.entry.cost);
-  layer.unit = std::max(most, 1.0) / most_units;
-  layer.reach = reach_of(grid, layer.goal);
-  std::vector<std::uint64_t> words(static_cast<std::size_t>(words_of(grid)));
-  std::string pairs;
-  layer.count = 0;
-  for (std::size_t i = 0; i < records.size();) {
-    const std::uint64_t pair = records[i].pair;
-    words[static_cast<std::size_t>(pair / bits_of_word)] |= std::uint64_t{1} << pair % bits_of_word;
-    std::uint16_t costs[2] = {unreached, unreached};
-    std::uint8_t steps[2] = {0, 0};
-    for (; i < records.size() && records[i].pair == pair; ++i) {
-      const std::size_t gear = records[i].gear > 0 ? 0 : 1;
-      costs[gear] = static_cast<std::uint16_t>(std::lround(records[i].entry.cost / layer.unit));
-      steps[gear] = code_of(grid, layer, records[i]);
-    }
-    append(pairs, costs[0]);
-    append(pairs, costs[1]);
-    append(pairs, steps[0]);
-    append(pairs, steps[1]);
-    ++layer.count;
+std::string layer_to_bytes(const SiteGrid& grid, const LayerSource& source, SiteLayer& layer,
+                           std::string_view before) {
+  const double unit = unit_of(source.largest);
+  const bool is_new = before.empty() || unit != layer.unit;
+  if (is_new) {
+    layer.unit = unit;
+    layer.reach = reach_of(grid, layer.goal);
   }
+  const auto words = static_cast<std::size_t>(words_of(grid));
   std::string numbers;
-  numbers.reserve(words.size() * word_size + pairs.size());
-  std::uint32_t before = 0;
-  for (const std::uint64_t word : words) {
+  std::string pairs;
+  numbers.reserve(before.size() + words * word_size);
+  pairs.reserve(before.size());
+  std::vector<SiteRecord> records;
+  std::size_t old_pair = words * word_size;  // place of the pairs of a word in `before`
+  layer.count = 0;
+  for (std::size_t i = 0; i < words; ++i) {
+    std::uint64_t word = is_new ? 0 : read_at<std::uint64_t>(before, i * word_size);
+    const std::size_t old_size = static_cast<std::size_t>(std::popcount(word)) * pair_size;
+    if (is_new || source.changed[i] != 0) {
+      records.clear();
+      source.records(i, records);
+      word = append_pairs(grid, layer, records, pairs);
+    } else {
+      pairs.append(before.substr(old_pair, old_size));
+    }
+    old_pair += old_size;
     append(numbers, word);
-    append(numbers, before);
-    before += static_cast<std::uint32_t>(std::popcount(word));
+    append(numbers, static_cast<std::uint32_t>(layer.count));
+    layer.count += static_cast<std::uint64_t>(std::popcount(word));
   }
   return numbers + pairs;
 }

@@ -7,13 +7,13 @@
 // little-endian.
 //
 //    0  "vp-site "
-//    8  u32 version: 1
+//    8  u32 version: 2
 //   12  u32 headings of a full turn
 //   16  u64 hashes of world, vehicle, prices
 //   40  doubles: least x and y of the cells, side of a cell, turning radius [m]
 //   72  u32 columns, u32 rows
 //   80  u64 number of goals
-//   88  u64 checksum: FNV-1a (64 bits) of everything else, in order
+//   88  u64 checksum of everything else: FNV-1a (64 bits), but by words of 8 bytes
 //   96  each goal: doubles x, y, heading, unit of its costs [m]; u64 place of its numbers, u64
 //       number of pairs that were reached
 //
@@ -27,8 +27,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,6 +46,8 @@ inline constexpr int arcs_of_site = 2;
 
 /// Largest cost of a state [units of its layer].
 inline constexpr double most_units = 0xFFFE;
+/// Pairs of cell and heading that a word has bits for.
+inline constexpr std::uint64_t pairs_of_word = 64;
 
 /// Cells of a table.
 struct SiteGrid {
@@ -53,11 +57,16 @@ struct SiteGrid {
   std::int32_t columns = 0, rows = 0, headings = 0;
 
   /// Number of pairs of a cell of places and a heading.
-  [[nodiscard]] std::uint64_t pairs() const noexcept {
+  [[nodiscard]] constexpr std::uint64_t pairs() const noexcept {
     return static_cast<std::uint64_t>(columns) * static_cast<std::uint64_t>(rows) *
            static_cast<std::uint64_t>(headings);
   }
 };
+
+/// Number of words that tell which pairs were reached.
+[[nodiscard]] constexpr std::uint64_t words_of(const SiteGrid& grid) noexcept {
+  return (grid.pairs() + pairs_of_word - 1) / pairs_of_word;
+}
 
 /// Place of a pose in a table. The heading is counted in steps from the goal's heading.
 struct SiteState {
@@ -115,10 +124,18 @@ struct SiteRecord {
   SiteEntry entry = {};
 };
 
-/// Numbers of one layer as bytes. The records are in the order of their pairs, driving forward
-/// first. `layer` has its goal, and gets the rest but for its place.
-[[nodiscard]] std::string layer_to_bytes(const SiteGrid& grid,
-                                         const std::vector<SiteRecord>& records, SiteLayer& layer);
+/// Where the numbers of a layer come from.
+struct LayerSource {
+  double largest = 0.0;                        ///< largest cost [m]
+  std::span<const std::uint8_t> changed = {};  ///< of each word: 0 if it is as it was
+  /// Adds all records of the pairs of a word, in the order of the pairs.
+  std::function<void(std::uint64_t word, std::vector<SiteRecord>& records)> records = {};
+};
+
+/// Numbers of one layer as bytes. `layer` has its goal, and gets the rest but for its place.
+/// `before` are the numbers that the layer had, or empty: what has not changed is copied.
+[[nodiscard]] std::string layer_to_bytes(const SiteGrid& grid, const LayerSource& source,
+                                         SiteLayer& layer, std::string_view before);
 
 /// The file of a table. The layers' places are computed here.
 [[nodiscard]] std::string site_to_bytes(const SiteKey& key, const SiteGrid& grid,

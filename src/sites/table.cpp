@@ -3,17 +3,12 @@
 #include "vandplan/site_table.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "base/parallel.h"
-#include "geometry/boxes.h"
-#include "search/clearance_raster.h"
-#include "search/drive_field.h"
-#include "search/guide.h"
 #include "sites/data.h"
+#include "sites/site.h"
 #include "sites/way.h"
 #include "vandplan/input_error.h"
 #include "vandplan/search.h"
@@ -21,202 +16,19 @@
 namespace vandplan {
 namespace {
 
-using search::Connector, search::CostRule, search::DriveField, search::ClearanceRaster;
-using sites::SiteData, sites::SiteEntry, sites::SiteGrid, sites::SiteLayer, sites::SiteRecord;
+using search::Connector, search::CostRule;
+using sites::SiteData, sites::SiteGrid, sites::SiteLayer, sites::between, sites::place_in;
 
-constexpr double most_pairs = 1e8;    // pairs of cell and heading in a table
-constexpr double room_of_step = 0.2;  // room that the longest step needs [turning radii]
-/// Costs up to which ways are looked for: turning radii, and sides of the site.
-constexpr double most_radii = 160.0;
-constexpr double most_sides = 8.0;
 constexpr std::size_t starts_of_block = 256;  // starts of a matrix that a thread takes at once
-constexpr int poses_between_looks = 4096;     // poses expanded between looks at the stop token
-
-/// Guide of a field that spreads to everywhere.
-class Nowhere final : public search::Guide {
- public:
-  bool step() override { return false; }
-  [[nodiscard]] bool is_connected() const noexcept override { return true; }
-  [[nodiscard]] double at(double, double) const noexcept override { return 0.0; }
-};
 
 void require(bool holds, const char* where, const char* expected) {
   if (!holds) throw InputError(where, std::string("expected ") + expected);
-}
-
-void check(const Problem& problem, std::span<const Pose> goals, const PlanOptions& options,
-           const SiteTableOptions& table) {
-  require(!goals.empty(), "goals", "at least one");
-  require(table.headings >= 8 && table.headings <= 256, "headings", "8 to 256");
-  require(table.cell >= 0.01 && table.cell <= 1.0, "cell", "0.01 to 1 turning radii");
-  require(table.threads >= 1 && table.threads <= 256, "threads", "1 to 256");
-  require(options.cost.measure == CostMeasure::prices, "cost", "prices: a table knows no times");
-  require(!problem.vehicle().trailer, "trailers", "none: a table knows no trailers");
-  require(problem.task().moving.empty(), "moving", "none: a table knows no moving obstacles");
-}
-
-/// The problem from another start to another goal. Throws InputError naming `where`.
-Problem between(const Problem& problem, const Pose& start, const Pose& goal,
-                const std::string& where) {
-  try {
-    return with_poses(problem, start, goal);
-  } catch (const InputError& error) {
-    throw InputError(where, error.problem());
-  }
-}
-
-/// Place of a pose in a list, for errors: "goals[2]".
-std::string place_in(const char* list, std::size_t number) {
-  return std::string(list) + "[" + std::to_string(number) + "]";
-}
-
-/// The task to a goal: it begins there, so that margins have ramps around the goal alone.
-Task task_to(const Problem& problem, const Pose& goal, std::size_t number,
-             const PlanOptions& options) {
-  const std::string where = place_in("goals", number);
-  Task task = task_of(between(problem, goal, goal, where), options.clearance);
-  if (!task.checker->is_free(task.goal)) throw InputError(where, "is not free");
-  return task;
-}
-
-/// [1] Box around what the tasks reach, in the world's frame.
-Bounds box_around(const std::vector<Task>& tasks) {
-  Bounds box = sampling_region(tasks.front(), Region::scene);
-  for (const Task& task : tasks) {
-    box = geometry::united(box, sampling_region(task, Region::scene));
-  }
-  return box;
-}
-
-/// The raster of a task. It is wider than the box of the poses, since bodies reach beyond it.
-ClearanceRaster raster_around(const Task& task, const Bounds& box, double most) {
-  double reach = 0.0;
-  for (const Point& corner : body_outline(task.vehicle)) {
-    reach = std::max(reach, std::hypot(corner.x, corner.y));
-  }
-  ClearanceRaster raster(task, geometry::widened(box, reach), most);
-  while (raster.step()) {
-  }
-  return raster;
-}
-
-/// [2] Costs to one goal, made by a field that spreads from there.
-class LayerMaker {
- public:
-  LayerMaker(const Task& task, const CostRule& rule, const Bounds& box,
-             const SiteTableOptions& options)
-      : back_(task, reversed(rule, 0)),
-        raster_(raster_around(task, box,
-                              std::max(rule.clearance_distance, room_of_step * back_.radius()))),
-        headings_(options.headings),
-        field_(back_, raster_, box,
-               {.headings = options.headings,
-                .cell = options.cell,
-                .of_table = task.checker.get(),
-                .arcs = sites::arcs_of_site},
-               task.goal, 0,
-               std::max(most_radii * back_.radius(),
-                        most_sides * (box.x_max - box.x_min + box.y_max - box.y_min))),
-        stop_(options.stop) {}
-
-  /// [3] Records of all states that were reached, in order; none if the work was stopped.
-  [[nodiscard]] std::optional<std::vector<SiteRecord>> records() {
-    field_.look_towards(nowhere_);
-    std::size_t count = 0;
-    for (int poses = 0; !field_.is_exhausted(); ++poses) {
-      if (poses % poses_between_looks == 0 && stop_.stop_requested()) return std::nullopt;
-      if (field_.step() != DriveField::none) ++count;
-    }
-    std::vector<SiteRecord> records;
-    records.reserve(count);
-    for (std::int64_t pair = 0; pair < field_.columns() * field_.rows() * headings_; ++pair) {
-      for (const int gear : {1, -1}) {
-        const auto heading = static_cast<int>(pair % headings_);
-        const std::int32_t id = field_.expanded(pair / headings_, heading, gear);
-        if (id != DriveField::none) records.push_back(record(field_.node(id)));
-      }
-    }
-    return records;
-  }
-
- private:
-  [[nodiscard]] SiteRecord record(const DriveField::Node& node) const {
-    const std::int64_t cell = field_.cell_of(node.x, node.y);
-    SiteRecord record{.pair = static_cast<std::uint64_t>(cell * headings_ + node.heading),
-                      .gear = node.gear < 0 ? 1 : -1,
-                      .entry = {.cost = static_cast<double>(node.cost)}};
-    record.entry.is_goal = node.parent == DriveField::none;
-    if (record.entry.is_goal) return record;
-    const DriveField::Node& parent = field_.node(node.parent);
-    const std::int64_t next = field_.cell_of(parent.x, parent.y);
-    const std::int64_t columns = field_.columns();
-    record.entry.arc = node.side;
-    record.entry.columns = static_cast<std::int32_t>(next % columns - cell % columns);
-    record.entry.rows = static_cast<std::int32_t>(next / columns - cell / columns);
-    record.entry.next_gear = -parent.gear;
-    return record;
-  }
-
-  Connector back_;
-  ClearanceRaster raster_;
-  Nowhere nowhere_;
-  int headings_;
-  DriveField field_;
-  std::stop_token stop_;
-};
-
-SiteGrid grid_of(const Bounds& box, const Task& task, const SiteTableOptions& options) {
-  const double radius = task.vehicle.min_turning_radius;
-  const double cell = options.cell * radius;
-  const double columns = (box.x_max - box.x_min) / cell + 1;
-  const double rows = (box.y_max - box.y_min) / cell + 1;
-  require(columns * rows * options.headings <= most_pairs, "cell",
-          "larger cells: the site has too many");
-  const Point& origin = task.world->origin();
-  return {.corner = {box.x_min + origin.x, box.y_min + origin.y},
-          .cell = cell,
-          .radius = radius,
-          .columns = static_cast<std::int32_t>(columns),
-          .rows = static_cast<std::int32_t>(rows),
-          .headings = options.headings};
 }
 
 }  // namespace
 
 SiteTable::SiteTable(std::shared_ptr<const SiteData> data) : data_(std::move(data)) {
   for (const SiteLayer& layer : data_->layers) goals_.push_back(layer.goal);
-}
-
-std::optional<SiteTable> make_site_table(const Problem& problem, std::span<const Pose> goals,
-                                         const PlanOptions& options,
-                                         const SiteTableOptions& table) {
-  check(problem, goals, options, table);
-  std::vector<Task> tasks;
-  for (std::size_t i = 0; i < goals.size(); ++i) {
-    tasks.push_back(task_to(problem, goals[i], i, options));
-  }
-  const CostRule rule = search::cost_rule(options.cost, tasks.front());
-  const Bounds box = box_around(tasks);
-  const SiteGrid grid = grid_of(box, tasks.front(), table);
-  std::vector<SiteLayer> layers(goals.size());
-  std::vector<std::string> numbers(goals.size());
-  const auto work = [&](std::size_t i) {
-    if (table.stop.stop_requested()) return;
-    auto records = LayerMaker(tasks[i], rule, box, table).records();
-    if (!records) return;
-    layers[i].goal = goals[i];
-    numbers[i] = sites::layer_to_bytes(grid, *records, layers[i]);
-  };
-  parallel_in_order(goals.size(), table.threads, work, [&](std::size_t i) {
-    if (table.progress) table.progress(i + 1);
-  });
-  if (std::ranges::any_of(numbers, [](const std::string& part) { return part.empty(); })) {
-    return std::nullopt;
-  }
-  const sites::SiteKey key = sites::site_key(*problem.world(), problem.vehicle(), options);
-  auto bytes =
-      std::make_shared<const std::string>(sites::site_to_bytes(key, grid, layers, numbers));
-  return site_table_from_bytes(*bytes, bytes, "site");
 }
 
 Bounds SiteTable::bounds() const noexcept {

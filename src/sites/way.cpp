@@ -45,7 +45,7 @@ Ways::Ways(const SiteData& data, const SiteLayer& layer, const Task& task, const
       connector_(task, rule),
       tails_(data, layer, task.goal) {}
 
-/// [4] Collects tails on the ways from the states around the start that are nearest to the goal.
+/// [5] Collects tails on the ways from the states around the start that are nearest to the goal.
 void Ways::find_joints(const LocalPose& start) {
   struct Near {
     SiteState state;
@@ -88,7 +88,7 @@ void Ways::follow(Tails::Id tail) {
   }
 }
 
-/// [5] Ranks the joints by the table's costs and by lengths on open ground. All pieces but straight
+/// [6] Ranks the joints by the table's costs and by lengths on open ground. All pieces but straight
 /// ones have three segments, unless poses lie as if made for each other: so the wheels turn twice.
 void Ways::rank(const LocalPose& start) {
   const CostRule& rule = connector_.rule();
@@ -117,7 +117,7 @@ void Ways::rank(const LocalPose& start) {
                            [](const Joint& a, const Joint& b) { return a.bound < b.bound; });
 }
 
-/// [6] The costs of tails are the table's until a way is chosen: few tails have to be priced.
+/// [7] The costs of tails are the table's until a way is chosen: few tails have to be priced.
 std::optional<Ways::Found> Ways::find(const LocalPose& start) {
   find_joints(start);
   rank(start);

@@ -52,8 +52,8 @@ TEST(SiteTableFile, RefusesWhatItIsNot) {
             "s.vst: not a table of a site: does not start with 'vp-site '");
   EXPECT_EQ(damaged([](std::string& bytes) { bytes.resize(50); }),
             "s.vst: truncated: 50 bytes, the head alone has 96");
-  EXPECT_EQ(damaged([](std::string& bytes) { bytes[8] = 2; }),
-            "s.vst: version 2 of the format, this program reads version 1");
+  EXPECT_EQ(damaged([](std::string& bytes) { bytes[8] = 9; }),
+            "s.vst: version 9 of the format, this program reads version 2");
   EXPECT_TRUE(damaged([](std::string& bytes) { bytes.resize(100); }).starts_with("s.vst: trunc"));
   EXPECT_TRUE(damaged([](std::string& bytes) { bytes.pop_back(); }).starts_with("s.vst: trunc"));
   EXPECT_TRUE(damaged([](std::string& bytes) { bytes += "x"; }).starts_with("s.vst: longer"));

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+#include "sites/site.h"
+
+#include "geometry/boxes.h"
+#include "vandplan/input_error.h"
+
+namespace vandplan::sites {
+namespace {
+
+constexpr double most_pairs = 1e8;  // pairs of cell and heading in a table
+
+void require(bool holds, const char* where, const char* expected) {
+  if (!holds) throw InputError(where, std::string("expected ") + expected);
+}
+
+void check(const Problem& problem, std::span<const Pose> goals, const PlanOptions& options,
+           const SiteTableOptions& table) {
+  require(!goals.empty(), "goals", "at least one");
+  require(table.headings >= 8 && table.headings <= 256, "headings", "8 to 256");
+  require(table.cell >= 0.01 && table.cell <= 1.0, "cell", "0.01 to 1 turning radii");
+  require(table.threads >= 1 && table.threads <= 256, "threads", "1 to 256");
+  require(options.cost.measure == CostMeasure::prices, "cost", "prices: a table knows no times");
+  require(!problem.vehicle().trailer, "trailers", "none: a table knows no trailers");
+  require(problem.task().moving.empty(), "moving", "none: a table knows no moving obstacles");
+}
+
+/// [1] Box around what the tasks reach, in the world's frame.
+Bounds box_around(const std::vector<Task>& tasks) {
+  Bounds box = sampling_region(tasks.front(), Region::scene);
+  for (const Task& task : tasks) {
+    box = geometry::united(box, sampling_region(task, Region::scene));
+  }
+  return box;
+}
+
+SiteGrid grid_of(const Bounds& box, const Task& task, const SiteTableOptions& options) {
+  const double radius = task.vehicle.min_turning_radius;
+  const double cell = options.cell * radius;
+  const double columns = (box.x_max - box.x_min) / cell + 1;
+  const double rows = (box.y_max - box.y_min) / cell + 1;
+  require(columns * rows * options.headings <= most_pairs, "cell",
+          "larger cells: the site has too many");
+  const Point& origin = task.world->origin();
+  return {.corner = {box.x_min + origin.x, box.y_min + origin.y},
+          .cell = cell,
+          .radius = radius,
+          .columns = static_cast<std::int32_t>(columns),
+          .rows = static_cast<std::int32_t>(rows),
+          .headings = options.headings};
+}
+
+}  // namespace
+
+std::string place_in(const char* list, std::size_t number) {
+  return std::string(list) + "[" + std::to_string(number) + "]";
+}
+
+Problem between(const Problem& problem, const Pose& start, const Pose& goal,
+                const std::string& where) {
+  try {
+    return with_poses(problem, start, goal);
+  } catch (const InputError& error) {
+    throw InputError(where, error.problem());
+  }
+}
+
+Task task_to(const Problem& problem, const Pose& goal, std::size_t number,
+             const PlanOptions& options) {
+  return task_of(between(problem, goal, goal, place_in("goals", number)), options.clearance);
+}
+
+Site site_of(const Problem& problem, std::span<const Pose> goals, const PlanOptions& options,
+             const SiteTableOptions& table) {
+  check(problem, goals, options, table);
+  Site site;
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    site.tasks.push_back(task_to(problem, goals[i], i, options));
+    const Task& task = site.tasks.back();
+    if (!task.checker->is_free(task.goal)) throw InputError(place_in("goals", i), "is not free");
+  }
+  site.box = box_around(site.tasks);
+  site.grid = grid_of(site.box, site.tasks.front(), table);
+  return site;
+}
+
+}  // namespace vandplan::sites

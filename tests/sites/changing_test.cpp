@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+
+// Tables that are repaired where a site changes, against tables that are made anew.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "support/cases.h"
+#include "support/problems.h"
+#include "support/sites.h"
+#include "vandplan/planner.h"
+#include "vandplan/replanner.h"
+#include "vandplan/site_table.h"
+
+namespace vandplan {
+namespace {
+
+using namespace sites;
+
+constexpr Bounds court{-25, 25, -25, 25};
+const std::vector<Pose> docks = {{0, 0, 0}, {12, -10, 2}};
+
+/// A court with some crates. Specks in its corners make the table as large as the court.
+Scenario court_of_crates(Rng& rng) {
+  Scenario scenario{.bounds = court, .start = {-20, 0, 0}, .goal = docks[0]};
+  scenario.obstacles = {box(24, 24, 25, 25), box(-25, -25, -24, -24)};
+  for (int i = 0; i < 3; ++i) {
+    const double x = uniform(-22, 20, rng);
+    const double y = uniform(-22, 20, rng);
+    if (std::abs(x) < 10 && std::abs(y) < 6) continue;
+    scenario.obstacles.push_back(box(x, y, x + uniform(0.5, 3, rng), y + uniform(0.5, 3, rng)));
+  }
+  return scenario;
+}
+
+/// The outline of a parked vehicle, anywhere in the court.
+Polygon parked(Rng& rng) {
+  const auto outline = corners({3, uniform(1, 5, rng), 1.2}, uniform_pose(court, rng));
+  return {outline.begin(), outline.end()};
+}
+
+Problem in_world(const std::shared_ptr<const World>& world) {
+  return make_problem(world, Vehicle{}, {-20, 0, 0}, docks[0]);
+}
+
+/// Options under which a repair is tried, by number.
+PlanOptions options_of(int number) {
+  PlanOptions options = number % 2 == 0 ? drivers_options() : length_options();
+  if (number == 2) options.cost.gears = AllowedGears::forward;
+  if (number == 4) options.clearance = {.margin = 0.4, .margin_ramp = 5.0};
+  if (number == 3) options.cost.clearance_weight = 2.0;
+  return options;
+}
+
+/// How many goals of a world are free.
+std::size_t free_docks(const Problem& problem, const PlanOptions& options) {
+  std::size_t count = 0;
+  for (const Pose& dock : docks) {
+    const Task task = task_of(with_poses(problem, dock, dock), options.clearance);
+    count += task.checker->is_free(task.goal) ? 1U : 0U;
+  }
+  return count;
+}
+
+/// Expects what a table made anew says. Returns whether all goals are free.
+bool expect_as_anew(const ChangingSiteTable& changing, const Problem& problem,
+                    const PlanOptions& options) {
+  if (free_docks(problem, options) < docks.size()) return false;
+  const SiteTable anew = make_site_table(problem, docks, options, coarse).value();
+  EXPECT_EQ(site_table_to_bytes(changing.table()), site_table_to_bytes(anew));
+  return true;
+}
+
+TEST(ChangingSiteTable, IsAsMadeAnewWhenObstaclesComeAndGo) {
+  int compared = 0;
+  for_each_case(1, 16, [&](Rng& rng) {
+    const PlanOptions options = options_of(static_cast<int>(rng() % 5));
+    ChangingWorld ground(surroundings(court_of_crates(rng)), {-20, 0});
+    if (free_docks(in_world(ground.world()), options) < docks.size()) return;
+    ChangingSiteTable changing(in_world(ground.world()), docks, options, coarse);
+    for (int i = 0; i < 12; ++i) {
+      WorldPatch patch;
+      for (std::size_t k = rng() % 3 + 1; k > 0; --k) {
+        const auto name = static_cast<std::int64_t>(100 + rng() % 5);
+        if (uniform01(rng) < 0.5) {
+          patch.removed.push_back(name);
+        } else {
+          patch.added.push_back({name, parked(rng)});
+        }
+      }
+      ground.patch(patch);
+      const Problem problem = in_world(ground.world());
+      changing.repair(problem);
+      compared += expect_as_anew(changing, problem, options) ? 1 : 0;
+    }
+  });
+  EXPECT_GT(compared, cases(16) * 5);
+}
+
+TEST(ChangingSiteTable, IsAsMadeAnewWhenCellsOfAMapChange) {
+  for_each_case(2, 6, [&](Rng& rng) {
+    Scenario scenario = court_of_crates(rng);
+    scenario.map = OccupancyGrid{.origin = {-30, -30, 0.1 * uniform01(rng)},
+                                 .resolution = 0.5,
+                                 .columns = 130,
+                                 .rows = 130,
+                                 .cells = std::vector<Cell>(130 * 130, Cell::free),
+                                 .unknown_is_free = true};
+    const PlanOptions options = options_of(static_cast<int>(rng() % 5));
+    ChangingWorld ground(surroundings(scenario), {-20, 0});
+    if (free_docks(in_world(ground.world()), options) < docks.size()) return;
+    ChangingSiteTable changing(in_world(ground.world()), docks, options, coarse);
+    for (int i = 0; i < 8; ++i) {
+      CellPatch cells{.column = static_cast<std::int32_t>(rng() % 120),
+                      .row = static_cast<std::int32_t>(rng() % 120),
+                      .columns = static_cast<std::int32_t>(1 + rng() % 8),
+                      .rows = static_cast<std::int32_t>(1 + rng() % 8)};
+      for (std::int32_t k = cells.columns * cells.rows; k > 0; --k) {
+        cells.cells.push_back(uniform01(rng) < 0.1 ? Cell::occupied : Cell::free);
+      }
+      ground.patch({.cells = {cells}});
+      const Problem problem = in_world(ground.world());
+      changing.repair(problem);
+      (void)expect_as_anew(changing, problem, options);
+    }
+  });
+}
+
+TEST(ChangingSiteTable, IsAsMadeAnewWhenZonesChange) {
+  for_each_case(3, 4, [&](Rng& rng) {
+    Scenario scenario = court_of_crates(rng);
+    const PlanOptions options = options_of(static_cast<int>(rng() % 5));
+    const auto problem_now = [&] { return make_problem(scenario); };
+    if (free_docks(problem_now(), options) < docks.size()) return;
+    ChangingSiteTable changing(problem_now(), docks, options, coarse);
+    for (int i = 0; i < 8; ++i) {
+      Zone zone{.area = parked(rng)};
+      const double kind = uniform01(rng);
+      if (kind < 0.3) {
+        zone.closed = true;
+      } else if (kind < 0.5) {
+        zone.gears = AllowedGears::forward;
+      } else {
+        zone.cost = 3.0;
+      }
+      zone.body = uniform01(rng) < 0.3;
+      if (scenario.zones.size() > rng() % 4) {
+        scenario.zones.erase(scenario.zones.begin());
+      } else {
+        scenario.zones.push_back(zone);
+      }
+      const Problem problem = problem_now();
+      changing.repair(problem);
+      (void)expect_as_anew(changing, problem, options);
+    }
+  });
+}
+
+TEST(ChangingSiteTable, KnowsNoWayToAGoalThatIsTaken) {
+  Rng rng(4);
+  ChangingWorld ground(surroundings(court_of_crates(rng)), {-20, 0});
+  const PlanOptions options = drivers_options();
+  ChangingSiteTable changing(in_world(ground.world()), docks, options, coarse);
+  const SiteTable before = changing.table();
+  ground.patch({.added = {{7, box(-1, -1, 4, 1)}}});
+  changing.repair(in_world(ground.world()));
+  EXPECT_TRUE(std::isinf(changing.table().cost({-15, 5, 0}, 0)));
+  EXPECT_FALSE(std::isinf(changing.table().cost({-15, 5, 0}, 1)));
+  EXPECT_FALSE(std::isinf(before.cost({-15, 5, 0}, 0)));  // a copy stays as it is
+  ground.patch({.removed = {7}});
+  changing.repair(in_world(ground.world()));
+  EXPECT_EQ(site_table_to_bytes(changing.table()), site_table_to_bytes(before));
+}
+
+TEST(ChangingSiteTable, IsMadeAnewInOtherBounds) {
+  Rng rng(4);
+  Scenario scenario = court_of_crates(rng);
+  const PlanOptions options = drivers_options();
+  ChangingSiteTable changing(make_problem(scenario), docks, options, coarse);
+  scenario.bounds.x_max = 20;
+  changing.repair(make_problem(scenario));
+  EXPECT_TRUE(expect_as_anew(changing, make_problem(scenario), options));
+}
+
+TEST(ChangingSiteTable, RefusesAnotherVehicleAndWhatMoves) {
+  Rng rng(4);
+  const Scenario scenario = court_of_crates(rng);
+  ChangingSiteTable changing(make_problem(scenario), docks, drivers_options(), coarse);
+  Scenario wider = scenario;
+  wider.vehicle.width += 0.1;
+  EXPECT_EQ(refusal([&] { changing.repair(make_problem(wider)); }).substr(0, 8), "problem:");
+}
+
+}  // namespace
+}  // namespace vandplan
