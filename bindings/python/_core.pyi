@@ -574,6 +574,21 @@ class SiteTable:
     def way(self, scenario: Scenario, **options: Unpack[_Options]) -> Path | None: ...
     def save(self, file: _File) -> None: ...
 
+class ChangingSiteTable:
+    def __init__(
+        self,
+        scenario: Scenario,
+        goals: ArrayLike | None = None,
+        *,
+        headings: int = 36,
+        cell: float = 0.12,
+        jobs: int = 1,
+        **options: Unpack[_Options],
+    ) -> None: ...
+    @property
+    def table(self) -> SiteTable: ...
+    def repair(self, scenario: Scenario) -> None: ...
+
 class SpeedProfile:
     @property
     def path(self) -> Path: ...

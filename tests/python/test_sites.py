@@ -74,3 +74,18 @@ def test_a_table_is_kept_in_a_file(yard, table, tmp_path):
     file.write_bytes(file.read_bytes()[:-1])
     with pytest.raises(vp.InputError, match="yard.vst: truncated"):
         vp.read_site_table(file)
+
+
+def test_a_table_is_repaired_where_obstacles_come_and_go(yard):
+    changing = vp.ChangingSiteTable(yard, [(0, 12, 0), (-10, -5, 1)], **COARSE)
+    before = changing.table
+    parked = vp.Scenario(
+        yard.start, yard.goal, vehicle=yard.vehicle, bounds=yard.bounds,
+        obstacles=[*yard.obstacles, [(8, -4), (12, -4), (12, -1), (8, -1)]]
+    )
+    changing.repair(parked)
+    assert changing.table.cost((4, 12, 0)) == vp.site_table(parked, changing.table.goals, **COARSE).cost((4, 12, 0))
+    assert np.isinf(changing.table.cost((10, -3, 0))) and np.isfinite(before.cost((10, -3, 0)))
+    assert vp.plan(parked, site=changing.table, max_iterations=50)
+    changing.repair(yard)
+    assert changing.table.cost((10, -3, 0)) == before.cost((10, -3, 0))

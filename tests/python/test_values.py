@@ -73,7 +73,7 @@ def every_value(tmp_path):
 
 
 # They live as long as a run or a drive does.
-LIVING = {"Task", "Replanner"}
+LIVING = {"ChangingSiteTable", "Task", "Replanner"}
 
 
 def parts(value, depth=4):

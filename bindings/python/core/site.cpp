@@ -56,16 +56,30 @@ SiteTable table_of(const Problem& problem, const std::vector<Pose>& goals,
   return *std::move(table);
 }
 
+/// Goals from Python; none: that of the scenario.
+std::vector<Pose> goals_of(const Problem& problem, const py::object& goals) {
+  if (!goals.is_none()) return list_of(goals, "goals");
+  if (problem.goal_set().empty()) return {problem.goal()};
+  throw InputError("goals", "the goal of the scenario is a set, expected poses");
+}
+
 SiteTable make_table(const CheckedScenario& scenario, const py::object& goals, int headings,
                      double cell, int jobs, const py::kwargs& keywords) {
   const Problem& problem = scenario.problem();
-  if (goals.is_none() && !problem.goal_set().empty()) {
-    throw InputError("goals", "the goal of the scenario is a set, expected poses");
-  }
-  const std::vector<Pose> poses =
-      goals.is_none() ? std::vector<Pose>{problem.goal()} : list_of(goals, "goals");
-  return table_of(problem, poses, site_options(scenario, keywords),
+  return table_of(problem, goals_of(problem, goals), site_options(scenario, keywords),
                   {.headings = headings, .cell = cell, .threads = jobs});
+}
+
+std::unique_ptr<ChangingSiteTable> changing_table(const CheckedScenario& scenario,
+                                                  const py::object& goals, int headings,
+                                                  double cell, int jobs,
+                                                  const py::kwargs& keywords) {
+  const Problem& problem = scenario.problem();
+  const std::vector<Pose> poses = goals_of(problem, goals);
+  const PlanOptions options = site_options(scenario, keywords);
+  const py::gil_scoped_release release;
+  const SiteTableOptions wanted{.headings = headings, .cell = cell, .threads = jobs};
+  return std::make_unique<ChangingSiteTable>(problem, poses, options, wanted);
 }
 
 py::object cost_of(const SiteTable& self, const py::object& given, std::size_t goal) {
@@ -150,10 +164,39 @@ The options are those of `plan`. Raises InputError if the table was made for som
           }));
 }
 
+void bind_changing_table(py::module_& module) {
+  py::class_<ChangingSiteTable>(module, "ChangingSiteTable",
+                                R"(A table of a site that is repaired where the site changes.
+
+    docks = ChangingSiteTable(yard, goals)
+    docks.repair(yard_with_a_parked_truck)
+    plan(yard_with_a_parked_truck, site=docks.table)
+
+The arguments are those of `site_table`. It keeps some 15 MB for each goal.)")
+      .def(py::init(&changing_table), "scenario"_a, "goals"_a = py::none(), py::kw_only(),
+           "headings"_a = SiteTableOptions{}.headings, "cell"_a = SiteTableOptions{}.cell,
+           "jobs"_a = 1)
+      .def(
+          "repair",
+          [](ChangingSiteTable& self, const CheckedScenario& scenario) {
+            self.repair(scenario.problem());
+          },
+          "scenario"_a, R"(repair(scenario)
+
+Makes the table that of a scenario with the same vehicle and other obstacles, cells or zones.
+
+The result is the table that `site_table` makes, except that the table keeps its box. A goal that is
+not free has no ways until it is free again.)")
+      .def_property_readonly(
+          "table", [](const ChangingSiteTable& self) { return self.table(); },
+          "The table now, a `SiteTable`. A repair does not change it.");
+}
+
 }  // namespace
 
 void bind_site(py::module_& module) {
   bind_table(module);
+  bind_changing_table(module);
   module.def("site_table", &make_table, "scenario"_a, "goals"_a = py::none(), py::kw_only(),
              "headings"_a = SiteTableOptions{}.headings, "cell"_a = SiteTableOptions{}.cell,
              "jobs"_a = 1,

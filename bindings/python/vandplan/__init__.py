@@ -16,6 +16,7 @@ at their first use.
 
 from vandplan._core import (
     Answer,
+    ChangingSiteTable,
     Comparison,
     Contact,
     DriveCheck,
@@ -86,6 +87,7 @@ from vandplan.stores import read_store
 
 __all__ = [
     "Answer",
+    "ChangingSiteTable",
     "Comparison",
     "Contact",
     "DriveCheck",
