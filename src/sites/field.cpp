@@ -115,7 +115,7 @@ void SiteField::reset() {
   buckets_.clear();
 }
 
-/// Makes the label of the goal, if the goal is free. All labels depend on it.
+/// [2] Makes the label of the goal, if the goal is free. All labels depend on it.
 void SiteField::root() {
   Label label{};
   label.x = static_cast<float>(task_.goal.x);
@@ -193,7 +193,7 @@ bool SiteField::is_beaten(Id state, float cost, Id twin) const noexcept {
   return other < cost || (other == cost && twin < state);
 }
 
-/// Equal costs are told apart by the states that they come from, so that order decides nothing.
+/// [3] Equal costs are told apart by the states that they come from, so that order decides nothing.
 bool SiteField::is_better(const Offer& offer) const noexcept {
   if (!is_worth(offer.state, offer.cost)) return false;
   if (offer.cost < states_[offer.state].cost) return true;

@@ -82,8 +82,8 @@ bool SiteField::has_label_near(Id state, const Bounds& box, double distance) con
   return states_[state].cost < infinite && is_near(labels_[state], box, distance, distance);
 }
 
-/// Whether the step to a state is still free and costs the same. What was exactly free is so where
-/// nothing has changed.
+/// [2] Whether the step to a state is still free and costs the same. What was exactly free is so
+/// where nothing has changed.
 bool SiteField::still_holds(Id state, const Bounds& changed) {
   Label& label = labels_[state];
   if (label.parent == none) return true;  // `root` has seen to it
@@ -167,6 +167,7 @@ void SiteField::find_children(Id state, float cost) {
 
 // ---- numbers ----
 
+/// [4] What a table keeps of a state.
 SiteRecord SiteField::record(Id state) const {
   const Label& label = labels_[state];
   SiteRecord record{.pair = state / 2,
