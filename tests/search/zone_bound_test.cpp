@@ -24,10 +24,10 @@ namespace {
 using search::MetreCost;
 using std::numbers::pi;
 
-/// The last bound of a task.
-double bound_of(const Task& task, const MetreCost& cost, search::GearSign only = 0) {
-  search::ZoneBound bound(task, only, cost);
-  while (bound.step()) {
+/// The bound of a task after so many steps at most.
+double bound_of(const Task& task, const MetreCost& cost, int steps = 30'000) {
+  search::ZoneBound bound(task, 0, cost);
+  for (int i = 0; i < steps && bound.step(); ++i) {
   }
   return bound.bound();
 }
@@ -131,8 +131,8 @@ TEST(ZoneBound, CountsTheLeastOfAMask) {
 }
 
 TEST(ZoneBound, KnowsThatHalfOfAllDirectionsIsOneWay) {
-  for (int i = 0; i < cases(8); ++i) {
-    const double turn = pi * i / 8 + (i % 2 == 0 ? 0.0 : 0.01 * i);
+  for (int i = 0; i < cases(4); ++i) {
+    const double turn = pi * i / 4 + (i < 2 ? 0.0 : 0.1 * i);
     const Zone against{.area = box(17, -9, 23, 9), .direction = HeadingRange{pi / 2, 3 * pi / 2}};
     EXPECT_TRUE(is_closed(turned_gate(turn, {against}))) << turn;
     const Zone along{.area = against.area, .direction = HeadingRange{-pi / 2, pi / 2}};
