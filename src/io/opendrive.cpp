@@ -23,7 +23,8 @@ namespace {
 using namespace io;
 
 constexpr double tolerance = 0.005;  // Largest distance of an edge from its corners' lines [m].
-constexpr double height_tolerance = 0.5;  // And of its height [m].
+constexpr double height_tolerance = 0.5;  // And of its height [m] ...
+constexpr double least_slope = 2.0;       // ... between corners that are so far apart [m].
 constexpr double least_step = 0.01;       // Least distance between corners, along the road [m].
 constexpr double narrow = 0.001;          // Width below which there is no lane [m].
 constexpr std::size_t most_corners = 1'000'000;  // Corners of all edges of a map.
@@ -156,7 +157,8 @@ class Section {
   static bool is_near(const Station& station, const Station& first, const Station& last,
                       double share) {
     const double height = first.height + (last.height - first.height) * share;
-    if (std::abs(station.height - height) > height_tolerance) return false;
+    const bool is_long = last.s - first.s > least_slope;
+    if (is_long && std::abs(station.height - height) > height_tolerance) return false;
     for (std::size_t i = 0; i < station.edges.size(); ++i) {
       const Point& a = first.edges[i];
       const Point& b = last.edges[i];

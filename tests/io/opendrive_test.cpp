@@ -355,6 +355,14 @@ TEST_F(OpenDrive, ABridgeIsNoCrossing) {
   EXPECT_EQ(bounding_box(read(map_with(six), above, above).file.scenario.zones[0].area).y_max, 0);
 }
 
+// Heights that no road has divide it no finer than every two metres or so.
+TEST_F(OpenDrive, AWallOfARoadHasFewCorners) {
+  const std::string steep = exchanged(
+      map_of(straight, "<right>" + lane(-1, wide) + "</right>"), "<lanes>",
+      R"(<elevationProfile><elevation s="0" a="0" b="1e6" c="0" d="9"/></elevationProfile><lanes>)");
+  EXPECT_LT(read(steep).file.scenario.obstacles.size(), 200U);
+}
+
 TEST_F(OpenDrive, SpeedLimitsOfLanesComeBeforeThoseOfRoads) {
   const auto zones = [&](const std::string& more, const std::string& type) {
     const std::string lanes =
