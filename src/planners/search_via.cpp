@@ -24,8 +24,7 @@
 namespace vandplan::planning {
 namespace {
 
-constexpr double endless_way = std::numeric_limits<double>::infinity();
-constexpr double no_cost = std::numeric_limits<double>::infinity();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr std::int64_t work_of_turn = 256;  // iterations of a leg in one turn
 constexpr std::int64_t patience_of_leg =
     20'000;                              // iterations after which a leg without a path is given up
@@ -214,7 +213,7 @@ class ViaSearch final : public PathSearch {
     chain.reserve(passed.size());
     for (std::size_t via = 0; via < passed.size(); ++via) {
       const std::vector<Segment> before = search::part_of(path.segments, 0.0, passed[via]);
-      std::vector<Segment> behind = search::part_of(path.segments, passed[via], endless_way);
+      std::vector<Segment> behind = search::part_of(path.segments, passed[via], infinite);
       LocalState there = start_state(task_);
       for (const Segment& segment : before) {
         there = vandplan::advance(task_.vehicle, there, segment);
@@ -233,7 +232,7 @@ class ViaSearch final : public PathSearch {
     for (std::size_t i = 0; i <= chain_.size(); ++i) {
       legs_.push_back(leg_to(chain_, i));
       const double begin = i == 0 ? 0.0 : passed[i - 1];
-      const double end = i == chain_.size() ? endless_way : passed[i];
+      const double end = i == chain_.size() ? infinite : passed[i];
       legs_.back()->known =
           Path{legs_.back()->task.start, search::part_of(path.segments, begin, end)};
     }
@@ -293,7 +292,7 @@ class ViaSearch final : public PathSearch {
   }
 
   [[nodiscard]] double cost_of(const std::optional<std::vector<Segment>>& path) const {
-    return path ? pricing_.cost(*path, search::ClearanceSampling::search) : no_cost;
+    return path ? pricing_.cost(*path, search::ClearanceSampling::search) : infinite;
   }
 
   /// Takes the path along the chain if it is better than the best so far.
@@ -371,7 +370,7 @@ class ViaSearch final : public PathSearch {
   std::vector<ViaNode> chain_;                // empty if there is no chain left
   std::vector<LegPointer> legs_;              // legs of the chain, one more than nodes
   std::optional<std::vector<Segment>> best_;  // best path so far
-  double cost_ = no_cost;
+  double cost_ = infinite;
   std::vector<CostSample> trace_;
   std::int64_t iterations_ = 0, spent_on_legs_ = 0, spent_on_trials_ = 0;
   std::string reason_;     // why the last leg that was given up has no path
