@@ -154,7 +154,7 @@ TEST(Levels, WhatIsAboveOrBelowTheWayGoes) {
     ASSERT_EQ(gone > 0 ? roads.left_out.at("lane on another level") : 0, gone);
     with_bridge += gone > 0 ? 1 : 0;
   });
-  EXPECT_GT(with_bridge, 50);
+  EXPECT_GT(with_bridge, is_sanitized ? 0 : 50);
 }
 
 /// A street along the x axis and a bridge over it, 6 m above.

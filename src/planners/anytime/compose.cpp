@@ -272,8 +272,8 @@ void Composer::add_wall_prover() {
 // [6b] Adds the zone prover.
 void Composer::add_zone_prover() {
   const auto never = [](const Progress&) { return 0; };
-  Slot& slot = add("zone prover", std::make_unique<ZoneProver>(task_, *pricing_), never);
-  slot.proofs = share_of_zone_prover(*pricing_);
+  Slot& slot = add("zone prover", std::make_unique<ZoneProver>(task_, *pricing_, true), never);
+  slot.proofs = share_of_zone_prover(pricing_->counts_time() ? shares::zone_steps_by_time : 1);
 }
 
 // [7b] Adds the worker that judges routes by the whole drive.

@@ -68,8 +68,8 @@ bool has_rules_of_ground(const Task& task) {
   return !ground.zones.empty() || !ground.masks.empty();
 }
 
-Share share_of_zone_prover(const planning::Pricing& pricing) {
-  return [factor = pricing.counts_time() ? shares::zone_steps_by_time : 1](const Progress& now) {
+Share share_of_zone_prover(std::int64_t factor) {
+  return [factor](const Progress& now) {
     const std::int64_t steps = now.is_settled ? shares::settled_zone_steps : shares::zone_steps;
     return now.has_route ? growing_share(factor * steps, now.rounds_with_route) : 0;
   };
@@ -97,7 +97,7 @@ Proven ZoneProver::proven() const {
 
 bool ZoneProver::bounds_length() const {
   const bool has_prices = task_.checker->has_prices() || task_.checker->has_speed_limits();
-  return !has_prices && !task_.vehicle.trailer;
+  return knows_length_ && !has_prices;
 }
 
 }  // namespace vandplan::anytime

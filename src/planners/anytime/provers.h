@@ -73,12 +73,13 @@ class WallProver final : public Worker {
 /// Whether zones or masks say anything.
 [[nodiscard]] bool has_rules_of_ground(const Task& task);
 
-/// Proves what zones and masks add to the cost of all paths: to their length, if there are only
-/// rules and no trailer. It has steps but no iterations.
+/// Proves what zones and masks add to the cost of all paths, or to their length, if there are only
+/// rules. It has steps but no iterations.
 class ZoneProver final : public Worker {
  public:
-  /// Task and pricing outlive the worker.
-  ZoneProver(const Task& task, const planning::Pricing& pricing) : task_(task), pricing_(pricing) {}
+  /// Task and pricing outlive the worker. `knows_length`: whether lengths are bounded at all.
+  ZoneProver(const Task& task, const planning::Pricing& pricing, bool knows_length)
+      : task_(task), pricing_(pricing), knows_length_(knows_length) {}
 
   [[nodiscard]] bool has_work() const override { return false; }
   [[nodiscard]] Found work(std::int64_t, const Told&, const search::Budget&) override { return {}; }
@@ -91,10 +92,11 @@ class ZoneProver final : public Worker {
 
   const Task& task_;
   const planning::Pricing& pricing_;
+  bool knows_length_;
   std::optional<search::ZoneBound> added_, all_;  // none before the first step
 };
 
-/// Steps of the zone prover in a round.
-[[nodiscard]] Share share_of_zone_prover(const planning::Pricing& pricing);
+/// Steps of the zone prover in a round, `factor` times as many as usual.
+[[nodiscard]] Share share_of_zone_prover(std::int64_t factor);
 
 }  // namespace vandplan::anytime

@@ -147,9 +147,11 @@ void add_workers(anytime::Portfolio& portfolio, const Task& task, const PlanOpti
     return now.has_route ? 0 : steps_of_proof << std::min(now.rounds, most_doublings_of_proof);
   };
   if (!anytime::has_rules_of_ground(task)) return;
-  add("zone prover", std::make_unique<anytime::ZoneProver>(setting->task, *portfolio.pricing),
+  add("zone prover",
+      std::make_unique<anytime::ZoneProver>(setting->task, *portfolio.pricing, false),
       [](const Progress&) { return 0; });
-  portfolio.slots.back().proofs = anytime::share_of_zone_prover(*portfolio.pricing);
+  portfolio.slots.back().proofs = anytime::share_of_zone_prover(
+      portfolio.pricing->counts_time() ? anytime::shares::zone_steps_by_time : 1);
 }
 
 }  // namespace vandplan::rig
