@@ -255,8 +255,18 @@ TEST_F(Scheduling, TheRunEndsWhenNobodyWorksAnyMore) {
   EXPECT_EQ(run.answer().status, PlanStatus::solved);
 }
 
-TEST_F(Scheduling, ARunWithoutARouteGoesOn) {
+TEST_F(Scheduling, ARunWithoutARouteEndsWhenNobodyWorksAnyMore) {
+  add(3).has_work = false;
+  anytime::Run& run = rounds(1);
+  int more = 0;
+  while (run.advance()) ASSERT_LT(++more, 1000);
+  EXPECT_EQ(run.answer().status, PlanStatus::node_limit);
+  EXPECT_EQ(run.answer().reason, "the finest searches have no route");
+}
+
+TEST_F(Scheduling, ARunWithoutARouteGoesOnWhileSomebodyProves) {
   add(0);
+  slot().proofs = always(2);
   anytime::Run& run = rounds(1000);
   EXPECT_TRUE(run.advance());
 }

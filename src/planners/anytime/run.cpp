@@ -216,15 +216,15 @@ void Run::round() {
     if (slot.phase == Phase::after && route_) work_after(slot, left(slot.share(progress()), 0));
   }
   ++rounds_;
-  const bool has_proven = has_time_limit_ && proofs_of_round_ > 0;
+  const bool has_proven = (has_time_limit_ || !has_path()) && proofs_of_round_ > 0;
   const bool is_idle = budget_.iterations() == before && !has_proven;
   if (may_work) idle_rounds_ = is_idle ? idle_rounds_ + 1 : 0;
 }
 
-// Whether a run with a route was idle for many rounds; some workers wait for later rounds. With a
-// time limit a round of proofs is not idle. Without a limit it is, as iterations would never end
-// it.
-bool Run::is_exhausted() const { return has_path() && idle_rounds_ >= max_idle_rounds; }
+// Whether the run was idle for many rounds; some workers wait for later rounds. A round of proofs
+// is not idle while there is no route: a proof that there is none ends. With a route it is idle,
+// unless there is a time limit, as iterations would never end it.
+bool Run::is_exhausted() const { return idle_rounds_ >= max_idle_rounds; }
 
 bool Run::advance() {
   const bool is_over =
@@ -282,6 +282,11 @@ PlannerAnswer Run::answer() {
   if (const std::string_view what = proven().walled_in; !what.empty()) {
     answer.status = PlanStatus::no_path;
     answer.reason = "proven: " + std::string(what) + " gets from the start to the goal";
+    return answer;
+  }
+  if (is_exhausted()) {
+    answer.status = PlanStatus::node_limit;
+    answer.reason = "the finest searches have no route";
     return answer;
   }
   answer.status = end_.value_or(PlanStatus::iteration_limit);  // the run has only paused
