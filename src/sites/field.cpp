@@ -46,7 +46,7 @@ SiteField::SiteField(const SiteGrid& grid, const Bounds& box, const Task& task,
       most_(static_cast<float>(std::max(
           most_radii * grid.radius, most_sides * (box.x_max - box.x_min + box.y_max - box.y_min)))),
       states_(static_cast<std::size_t>(2 * grid.pairs())),
-      labels_(std::make_unique_for_overwrite<Label[]>(states_.size())),
+      labels_(new Label[states_.size()]),
       changed_words_(static_cast<std::size_t>(words_of(grid)), 1) {
   set_ground(task);
   make_steps();

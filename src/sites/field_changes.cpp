@@ -24,7 +24,8 @@ void SiteField::renew(const Task& task, std::span<const GroundChange> changed) {
   set_ground(task);
   if (rule_.has_priced_ground != had_prices || raster_->is_trusted() != was_trusted) reset();
   root();
-  const auto longest = static_cast<double>(std::ranges::max(steps_, {}, &Step::length).length);
+  double longest = 0.0;
+  for (const Step& step : steps_) longest = std::max(longest, static_cast<double>(step.length));
   const double seen = std::max(
       task_.least_margin + largest_ + raster_cells * 4 * static_cast<double>(raster_->fineness()),
       options_.clearance.margin + longest + swing(longest));

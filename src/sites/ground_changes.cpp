@@ -16,9 +16,10 @@ namespace vandplan::sites {
 namespace {
 
 bool is_before(const Polygon& a, const Polygon& b) {
-  return std::ranges::lexicographical_compare(a, b, [](const Point& p, const Point& q) {
+  const auto is_left = [](const Point& p, const Point& q) {
     return std::pair(p.x, p.y) < std::pair(q.x, q.y);
-  });
+  };
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), is_left);
 }
 
 /// Adds the polygons that only one of two lists has. Its second list is what stands now.
@@ -28,8 +29,10 @@ void compare(std::vector<Polygon> before, std::vector<Polygon> now,
   std::ranges::sort(now, is_before);
   std::vector<Polygon> gone;
   std::vector<Polygon> come;
-  std::ranges::set_difference(before, now, std::back_inserter(gone), is_before);
-  std::ranges::set_difference(now, before, std::back_inserter(come), is_before);
+  std::set_difference(before.begin(), before.end(), now.begin(), now.end(),
+                      std::back_inserter(gone), is_before);
+  std::set_difference(now.begin(), now.end(), before.begin(), before.end(),
+                      std::back_inserter(come), is_before);
   for (const Polygon& polygon : gone) changes.push_back({bounding_box(polygon), true});
   for (const Polygon& polygon : come) changes.push_back({bounding_box(polygon), false});
 }
@@ -74,7 +77,8 @@ void compare(const OccupancyGrid& map, const std::vector<Value>& now, std::vecto
       const std::span<const Value> fresh(now.data() + at, columns);
       const std::span<Value> known(before.data() + at, columns);
       const auto differs = [](const Value& a, const Value& b) { return a != b; };
-      const auto begin = std::ranges::mismatch(known, fresh).in1;
+      const auto begin =
+          std::mismatch(known.begin(), known.end(), fresh.begin(), fresh.end()).first;
       is_other = begin != known.end();
       if (is_other) {
         if (right < 0) first = row;
@@ -105,7 +109,7 @@ bool same_cells(const Mask& a, const Mask& b) {
 
 /// Whether masks are equal but for their percentages.
 bool same_shape(const std::vector<Mask>& a, const std::vector<Mask>& b) {
-  return std::ranges::equal(a, b, [](const Mask& one, const Mask& other) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Mask& one, const Mask& other) {
     return same_shape(one.map, other.map) && one.use == other.use && one.base == other.base &&
            one.multiplier == other.multiplier && !one.percents == !other.percents &&
            same_cells(one, other);
