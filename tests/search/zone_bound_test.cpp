@@ -68,13 +68,14 @@ double bound_of(const Scenario& scenario, const MetreCost& cost) {
 }
 
 TEST(ZoneBound, CountsADearZoneInTheOnlyGate) {
-  // 5 m that cost twice as much more; ways along sides and diagonals lose 8 %.
+  // 5 m that cost twice as much more; ways along sides and diagonals lose 8 %, cells at the ends a
+  // metre.
   const Zone dear{.area = box(17.5, -9, 22.5, 9), .cost = 3};
   const double added = bound_of(turned_gate(0, {dear}), {.priced = 1});
   EXPECT_GT(added, 0.9 * 10);
   EXPECT_LE(added, 10);
   const double all = bound_of(turned_gate(0, {dear}), {.anywhere = 1, .priced = 1});
-  EXPECT_GT(all, 0.92 * 50 - 0.2);
+  EXPECT_GT(all, 0.92 * 50 - 1.5);
   EXPECT_LE(all, 50);
 }
 
