@@ -165,8 +165,11 @@ The options are those of `plan`. Raises InputError if the table was made for som
 }
 
 void bind_changing_table(py::module_& module) {
-  py::class_<ChangingSiteTable>(module, "ChangingSiteTable",
-                                R"(A table of a site that is repaired where the site changes.
+  py::class_<ChangingSiteTable>(
+      module, "ChangingSiteTable",
+      R"(ChangingSiteTable(scenario, goals=None, *, headings=36, cell=0.12, jobs=1, **options)
+
+A table of a site that is repaired where the site changes.
 
     docks = ChangingSiteTable(yard, goals)
     docks.repair(yard_with_a_parked_truck)
