@@ -122,8 +122,6 @@ std::uint64_t append_pairs(const SiteGrid& grid, const SiteLayer& layer,
   return word;
 }
 
-int sign_of(int arc) { return arc > 0 ? 1 : arc < 0 ? -1 : 0; }
-
 void append_double(std::string& bytes, double number) {
   append(bytes, std::bit_cast<std::uint64_t>(number));
 }
@@ -216,7 +214,7 @@ SiteState SiteData::after(const SiteState& state, const SiteEntry& entry) const 
   const int headings = grid.headings;
   return {.column = state.column + entry.columns,
           .row = state.row + entry.rows,
-          .heading = (state.heading + sign_of(entry.arc) * state.gear + headings) % headings,
+          .heading = (state.heading + side_of_arc(entry.arc) * state.gear + headings) % headings,
           .gear = entry.next_gear == 0 ? -1 : entry.next_gear};
 }
 

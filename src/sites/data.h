@@ -99,6 +99,9 @@ struct SiteLayer {
   [[nodiscard]] double largest_cost() const noexcept { return most_units * unit; }
 };
 
+/// Side to which an arc turns: 1 left, -1 right, 0 straight.
+[[nodiscard]] constexpr int side_of_arc(int arc) noexcept { return arc > 0 ? 1 : arc < 0 ? -1 : 0; }
+
 /// The step by an arc in a gear, as the vehicle drives it.
 [[nodiscard]] Segment site_step(const SiteGrid& grid, int gear, int arc) noexcept;
 

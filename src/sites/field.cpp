@@ -28,8 +28,6 @@ constexpr double slack_of_cell = 1e-2;   // by which places may be off [cells]
 /// memory.
 void fetch(const auto& soon) { __builtin_prefetch(&soon); }
 
-int side_of(int arc) { return arc > 0 ? 1 : arc < 0 ? -1 : 0; }
-
 }  // namespace
 
 SiteField::SiteField(const SiteGrid& grid, const Bounds& box, const Task& task,
@@ -93,7 +91,7 @@ void SiteField::make_steps() {
         const double length = std::abs(segment.length);
         const double cost = rule_.weight(gear) * length;
         const Pose to = advance(from, segment);
-        const int turned = (heading + side_of(arc) * gear + grid_.headings) % grid_.headings;
+        const int turned = (heading + side_of_arc(arc) * gear + grid_.headings) % grid_.headings;
         const double sure =
             sure_steps * length + sure_fineness * static_cast<double>(raster_->fineness());
         cheapest = std::min(cheapest, cost);
@@ -252,7 +250,7 @@ void SiteField::pull(Id state) {
   const auto column = static_cast<std::int32_t>(state / headings % static_cast<Id>(grid_.columns));
   const auto row = static_cast<std::int32_t>(state / headings / static_cast<Id>(grid_.columns));
   for (int arc = -arcs_of_site; arc <= arcs_of_site; ++arc) {
-    const int before = (heading - side_of(arc) * gear + grid_.headings) % grid_.headings;
+    const int before = (heading - side_of_arc(arc) * gear + grid_.headings) % grid_.headings;
     const Step& step = step_of(before, gear, arc);
     const std::int32_t left = std::max(0, column + step.left);
     const std::int32_t right = std::min(grid_.columns - 1, column + step.right);

@@ -64,8 +64,7 @@ class SiteField {
   };
   enum class Status : std::uint8_t { open, settled, orphan };
   struct State {
-    float cost =
-        std::numeric_limits<float>::infinity();  // Cost of the label; infinite without one.
+    float cost = infinite;  // Cost of the label; infinite without one.
     Status status = Status::open;
   };
   /// Motion from one heading by an arc or a line.

@@ -120,10 +120,15 @@ bool SiteField::is_near(const Label& label, const Bounds& box, double ahead, dou
          std::abs(cos * y - sin * x) <= body.half_width + across;
 }
 
-/// Asks for a label again, when the states are settled that may offer one at such a cost.
+/// Asks for a label again, when the states are settled that may offer one at such a cost. So does
+/// the state in the other gear, which the label may have beaten.
 void SiteField::orphan(Id state, float cost) {
-  states_[state].status = Status::orphan;
-  push(state, cost);
+  const auto ask = [this](Id which, float at) {
+    states_[which].status = Status::orphan;
+    push(which, at);
+  };
+  ask(state, cost);
+  if (states_[state ^ 1U].cost == infinite) ask(state ^ 1U, cost + gear_change_);
 }
 
 /// Takes the label from a state, and the labels that depend on it.
@@ -138,9 +143,7 @@ void SiteField::withdraw(Id state) {
       find_children(next, cost);
       mark(next);
     }
-    if (is_first) continue;
-    orphan(next, cost);
-    if (states_[next ^ 1U].cost == infinite) orphan(next ^ 1U, cost + gear_change_);
+    if (!is_first) orphan(next, cost);
   }
 }
 
@@ -149,7 +152,6 @@ void SiteField::clear(Id state) {
   const float cost = states_[state].cost;
   withdraw(state);
   orphan(state, cost);
-  if (states_[state ^ 1U].cost == infinite) orphan(state ^ 1U, cost + gear_change_);
 }
 
 /// Adds the states whose labels come from a state.

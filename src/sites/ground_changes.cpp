@@ -76,14 +76,13 @@ void compare(const OccupancyGrid& map, const std::vector<Value>& now, std::vecto
       const auto at = static_cast<std::ptrdiff_t>(static_cast<std::size_t>(row) * columns);
       const std::span<const Value> fresh(now.data() + at, columns);
       const std::span<Value> known(before.data() + at, columns);
-      const auto differs = [](const Value& a, const Value& b) { return a != b; };
       const auto begin =
           std::mismatch(known.begin(), known.end(), fresh.begin(), fresh.end()).first;
       is_other = begin != known.end();
       if (is_other) {
         if (right < 0) first = row;
         std::size_t last = columns - 1;
-        while (!differs(known[last], fresh[last])) --last;
+        while (known[last] == fresh[last]) --last;
         left = std::min(left, static_cast<std::int32_t>(begin - known.begin()));
         right = std::max(right, static_cast<std::int32_t>(last));
         std::ranges::copy(fresh, known.begin());

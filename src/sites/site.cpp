@@ -10,10 +10,6 @@ namespace {
 
 constexpr double most_pairs = 1e8;  // pairs of cell and heading in a table
 
-void require(bool holds, const char* where, const char* expected) {
-  if (!holds) throw InputError(where, std::string("expected ") + expected);
-}
-
 void check(const Problem& problem, std::span<const Pose> goals, const PlanOptions& options,
            const SiteTableOptions& table) {
   require(!goals.empty(), "goals", "at least one");
@@ -51,6 +47,10 @@ SiteGrid grid_of(const Bounds& box, const Task& task, const SiteTableOptions& op
 }
 
 }  // namespace
+
+void require(bool holds, const char* where, const char* expected) {
+  if (!holds) throw InputError(where, std::string("expected ") + expected);
+}
 
 std::string place_in(const char* list, std::size_t number) {
   return std::string(list) + "[" + std::to_string(number) + "]";

@@ -14,6 +14,9 @@
 
 namespace vandplan::sites {
 
+/// Throws InputError naming `where`, unless something holds.
+void require(bool holds, const char* where, const char* expected);
+
 /// Place of a pose in a list, for errors: "goals[2]".
 [[nodiscard]] std::string place_in(const char* list, std::size_t number);
 

@@ -17,13 +17,10 @@ namespace vandplan {
 namespace {
 
 using search::Connector, search::CostRule;
-using sites::SiteData, sites::SiteGrid, sites::SiteLayer, sites::between, sites::place_in;
+using sites::SiteData, sites::SiteGrid, sites::SiteLayer, sites::between, sites::place_in,
+    sites::require;
 
 constexpr std::size_t starts_of_block = 256;  // starts of a matrix that a thread takes at once
-
-void require(bool holds, const char* where, const char* expected) {
-  if (!holds) throw InputError(where, std::string("expected ") + expected);
-}
 
 }  // namespace
 

@@ -43,10 +43,18 @@ class LengthProver final : public Worker {
   double best_cost_;  // least cost of all routes that the worker knows
 };
 
+/// A worker that only proves. It has steps but no iterations, so results of an iteration budget do
+/// not depend on it.
+class Prover : public Worker {
+ public:
+  [[nodiscard]] bool has_work() const override { return false; }
+  [[nodiscard]] Found work(std::int64_t, const Told&, const search::Budget&) override { return {}; }
+  [[nodiscard]] Counts counts() const override { return {}; }
+};
+
 /// Proves that nothing as wide as one of the bodies gets from the start to the goal, or that rules
-/// of zones forbid it. It has steps but no iterations, so results of an iteration budget do not
-/// depend on it.
-class WallProver final : public Worker {
+/// of zones forbid it.
+class WallProver final : public Prover {
  public:
   /// One body of the vehicle.
   struct Body {
@@ -57,11 +65,8 @@ class WallProver final : public Worker {
   WallProver(std::vector<Body> bodies, search::GearSign only)
       : bodies_(std::move(bodies)), only_(only) {}
 
-  [[nodiscard]] bool has_work() const override { return false; }
-  [[nodiscard]] Found work(std::int64_t, const Told&, const search::Budget&) override { return {}; }
   std::int64_t prove(std::int64_t steps, const search::Budget& budget) override;
   [[nodiscard]] Proven proven() const override;
-  [[nodiscard]] Counts counts() const override { return {}; }
 
  private:
   std::vector<Body> bodies_;
@@ -74,18 +79,15 @@ class WallProver final : public Worker {
 [[nodiscard]] bool has_rules_of_ground(const Task& task);
 
 /// Proves what zones and masks add to the cost of all paths, or to their length, if there are only
-/// rules. It has steps but no iterations.
-class ZoneProver final : public Worker {
+/// rules.
+class ZoneProver final : public Prover {
  public:
   /// Task and pricing outlive the worker. `knows_length`: whether lengths are bounded at all.
   ZoneProver(const Task& task, const planning::Pricing& pricing, bool knows_length)
       : task_(task), pricing_(pricing), knows_length_(knows_length) {}
 
-  [[nodiscard]] bool has_work() const override { return false; }
-  [[nodiscard]] Found work(std::int64_t, const Told&, const search::Budget&) override { return {}; }
   std::int64_t prove(std::int64_t steps, const search::Budget& budget) override;
   [[nodiscard]] Proven proven() const override;
-  [[nodiscard]] Counts counts() const override { return {}; }
 
  private:
   [[nodiscard]] bool bounds_length() const;
