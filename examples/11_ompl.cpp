@@ -56,12 +56,13 @@ bool plan_for_a_truck() {
       std::make_shared<ob::ReedsSheppStateSpace>(yard.vehicle.min_turning_radius));
   vandplan::ompl::set_problem(setup, problem);
   const auto& information = setup.getSpaceInformation();
+  const auto ours = std::make_shared<vandplan::ompl::Planner>(information, "anytime");
+  ours->params().setParam("max_iterations", "20000");  // done before the 10 s below, everywhere
   for (const ob::PlannerPtr& planner :
-       {ob::PlannerPtr(std::make_shared<og::RRTConnect>(information)),
-        ob::PlannerPtr(std::make_shared<vandplan::ompl::Planner>(information, "anytime"))}) {
+       {ob::PlannerPtr(std::make_shared<og::RRTConnect>(information)), ob::PlannerPtr(ours)}) {
     setup.clear();
     setup.setPlanner(planner);
-    if (!setup.solve(0.2) || !setup.getSolutionPath().check()) return false;
+    if (!setup.solve(10.0) || !setup.getSolutionPath().check()) return false;
     std::printf("a truck, by %s: %.2f m\n", planner->getName().c_str(),
                 setup.getSolutionPath().length());
   }

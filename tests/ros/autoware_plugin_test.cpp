@@ -35,7 +35,7 @@ nav_msgs::msg::OccupancyGrid yard() {
   return grid;
 }
 
-const FreespacePlanner::PlannerCommonParam usual{.time_limit = 500.0,
+const FreespacePlanner::PlannerCommonParam usual{.time_limit = 60000.0,
                                                  .reverse_weight = 2.0,
                                                  .direction_change_weight = 1.5,
                                                  .max_turning_ratio = 1.0,
