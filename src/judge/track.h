@@ -6,6 +6,7 @@
 // The judge is a second implementation on purpose: nothing in this folder calls code that planners
 // use, not even `advance` or `corners`.
 
+#include <compare>
 #include <cstddef>
 #include <numbers>
 #include <vector>
@@ -76,6 +77,7 @@ inline constexpr Real most_stretches_of_all = 1e6L;
 struct Place {
   std::size_t stretch = 0;
   Real t = 0;
+  auto operator<=>(const Place&) const = default;  // as driven
 };
 
 struct Track {

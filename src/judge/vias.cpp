@@ -17,7 +17,7 @@ namespace {
 
 constexpr Real passed_tolerance = 1e-6;          // tolerance of places [m] and angles [rad]
 constexpr Real stated_passing_tolerance = 1e-5;  // tolerance of stated, rounded numbers [m, rad]
-constexpr Real joint_slack = 1e-9;               // joints so near are at one place [m]
+constexpr Real stop_slack = 1e-9;                // rounding of the driven distance of a stop [m]
 constexpr Real finest = 1e-7;                    // half of the shortest part that is looked at [m]
 
 /// Place where a segment begins, or the end of a track.
@@ -182,13 +182,12 @@ class AllPassings {
       if (!first) continue;
       places.push_back({*first, driven(track_, *first), before[i].worth, via.stop, i});
       for (const Joint* joint : inside) {
-        const Real s = driven(track_, joint->place);
-        if (s < before[i].s - joint_slack) continue;
-        const bool is_new = s >= before[i].s + joint_slack || !before[i].is_stop;
+        if (joint->place < before[i].place) continue;
+        const bool is_new = !before[i].is_stop || joint->place != before[i].place;
         const auto [turns, standing, beginning] = before[i].worth;
         const Worth worth = {turns + static_cast<int>(joint->needs_stop && is_new),
                              standing + static_cast<int>(joint->stands), beginning + 1};
-        places.push_back({joint->place, s, worth, true, i});
+        places.push_back({joint->place, driven(track_, joint->place), worth, true, i});
       }
     }
     return best_of(std::move(places));
@@ -233,7 +232,7 @@ std::size_t passed_by(const Task& task, const Track& track, const SpeedProfile& 
       next = passing.first(from);
     } else {
       const auto is_there = [&](const Place& stop) {
-        return driven(track, stop) >= driven(track, from) - joint_slack &&
+        return driven(track, stop) >= driven(track, from) - stop_slack &&
                passing.is_in(stop, passed_tolerance);
       };
       const auto stop = std::ranges::find_if(stops, is_there);

@@ -93,6 +93,18 @@ TEST(JudgeOfVias, LetsWheelsTurnBehindAnotherStopOfTheLayBy) {
   EXPECT_TRUE(is_valid({lay_by, lay_by, next}));
 }
 
+// Rounding makes the segment between both stops a bit shorter than a nanometre.
+TEST(JudgeOfVias, TellsStopsApartThatAreNearlyAtOnePlace) {
+  const Path path{{}, {{0.0, 10.0}, {0.1, 9.99e-10}, {0.0, 8.0}}};
+  const auto is_valid = [&](const std::vector<Via>& via) {
+    return check_path(along(path, via), path, {.steering = Steering::continuous_between_stops})
+        .valid;
+  };
+  const Via stop = at({10, 0, 0}, true);
+  EXPECT_FALSE(is_valid({stop}));
+  EXPECT_TRUE(is_valid({stop, stop}));
+}
+
 // The stop of the first via is not kept for the end of the path, where both vias are and the
 // vehicle stands anyway: wheels turn at the stop of the second one.
 TEST(JudgeOfVias, LetsWheelsTurnAtTheStopOfALaterVia) {
