@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "planners/anytime/compose.h"
 #include "planners/commands/closer.h"
 #include "planners/last_stretch.h"
 #include "problem/goal_set.h"
@@ -19,7 +18,6 @@ namespace {
 constexpr std::size_t max_goals_of_line = 16;
 constexpr std::size_t max_goals_of_region = 64;
 constexpr std::size_t max_goals_of_set = 2048;  // most goals of all regions, but two of each
-constexpr std::size_t max_open_ways = 2;  // goals tried on open ground before the first search
 
 /// Whether a rig that comes to a line as `before` says keeps its hitch angle along the line, in
 /// spite of rounding errors.
@@ -59,25 +57,8 @@ std::vector<SetGoal> SetGoals::spread_out(const search::Budget& budget) {
       return goal.has_value();
     });
   }
-  put_open_one_first(goals);
+  std::ranges::stable_sort(goals, {}, [](const SetGoal& goal) { return goal.bound; });  // [2]
   return goals;
-}
-
-/// [2] Sorts goals by their bounds, and puts the first one to which an open way leads before all.
-void SetGoals::put_open_one_first(std::vector<SetGoal>& goals) const {
-  std::ranges::stable_sort(goals, {}, [](const SetGoal& goal) { return goal.bound; });
-  // Searches with a trailer, among movers or past vias do not begin with an open way.
-  if (task_.vehicle.trailer || !task_.moving.empty() || !task_.via.empty()) return;
-  const auto last =
-      goals.begin() + static_cast<std::ptrdiff_t>(std::min(goals.size(), max_open_ways));
-  const auto open =
-      std::find_if(goals.begin(), last, [this](const SetGoal& goal) { return is_open(goal); });
-  if (open != last) std::rotate(goals.begin(), open, open + 1);
-}
-
-/// Whether the search for the goal has a path at once, on open ground.
-bool SetGoals::is_open(const SetGoal& goal) const {
-  return !anytime::open_ways(before_line(goal.task), pricing_.rule()).empty();
 }
 
 std::optional<SetGoal> SetGoals::at(const GoalPoint& point) {

@@ -48,9 +48,6 @@ class SetGoals {
   [[nodiscard]] PlannerAnswer without_goals() const;
 
  private:
-  void put_open_one_first(std::vector<SetGoal>& goals) const;
-  [[nodiscard]] bool is_open(const SetGoal& goal) const;
-
   const Task& task_;
   Task alone_;  // the task without its set
   const PlanOptions& options_;

@@ -45,6 +45,23 @@ constexpr std::uint64_t survey = 7;  // no run has both: another number would ch
 constexpr std::uint64_t proposals = 8;
 }  // namespace stream
 
+/// Free routes of one word: the shortest word, which is found sooner, and with prices the cheapest
+/// one, which may be the optimum. The task has no trailer.
+std::vector<Route> open_ways(const Task& task, const search::CostRule& rule) {
+  std::vector<Route> routes;
+  std::vector<CostRule> rules = {length_rule(rule)};
+  if (!rule.is_length()) rules.push_back(rule);
+  for (const CostRule& of : rules) {
+    Connector connector(task, of);
+    const std::optional<Piece> piece =
+        connector.steer(task.start, task.goal, {of.initial_gear, of.final_gear});
+    if (!piece || !connector.is_free(task.start, *piece)) continue;
+    Route& route = routes.emplace_back(Route{task.start, {{*piece, task.goal}}, 0.0});
+    price(Connector(task, rule), route);
+  }
+  return routes;
+}
+
 /// Puts the portfolio of one run together.
 class Composer {
  public:
@@ -355,22 +372,6 @@ Portfolio portfolio_of_rig(const Task& task, const PlanOptions& options, double 
 }
 
 }  // namespace
-
-// The shortest word is found sooner, the cheapest word may be the optimum.
-std::vector<search::Route> open_ways(const Task& task, const search::CostRule& rule) {
-  std::vector<Route> routes;
-  std::vector<CostRule> rules = {length_rule(rule)};
-  if (!rule.is_length()) rules.push_back(rule);
-  for (const CostRule& of : rules) {
-    Connector connector(task, of);
-    const std::optional<Piece> piece =
-        connector.steer(task.start, task.goal, {of.initial_gear, of.final_gear});
-    if (!piece || !connector.is_free(task.start, *piece)) continue;
-    Route& route = routes.emplace_back(Route{task.start, {{*piece, task.goal}}, 0.0});
-    price(Connector(task, rule), route);
-  }
-  return routes;
-}
 
 Portfolio compose(const Task& task, const PlanOptions& options, double time_price,
                   const Given& given) {

@@ -30,10 +30,6 @@ struct Given {
   std::span<const NamedSource> sources = {};  ///< sources of paths beside the planner's own workers
 };
 
-/// Free routes of one word: the shortest word, and with prices the cheapest one. A word that is
-/// blocked is left out. The task has no trailer.
-[[nodiscard]] std::vector<search::Route> open_ways(const Task& task, const search::CostRule& rule);
-
 /// The portfolio of a task. Each second costs `time_price` [m] beside the prices
 /// of the path; `time_price` is ignored if the cost is the time. The task and the sources outlive
 /// the portfolio.
