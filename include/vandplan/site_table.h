@@ -74,14 +74,11 @@ class SiteTable {
   /// InputError naming "site" that says which of them differs. The options must be complete.
   void expect_made_for(const Problem& problem, const PlanOptions& options) const;
 
-  /// Numbers of the table, for the library alone.
+  /// A table of numbers, and the numbers of a table, for the library alone.
+  explicit SiteTable(std::shared_ptr<const sites::SiteData> data);
   [[nodiscard]] const sites::SiteData& data() const noexcept { return *data_; }
 
  private:
-  friend SiteTable site_table_from_bytes(std::string_view bytes, std::shared_ptr<const void> owner,
-                                         const std::string& file);
-  explicit SiteTable(std::shared_ptr<const sites::SiteData> data);
-
   std::shared_ptr<const sites::SiteData> data_;
   std::vector<Pose> goals_;
 };

@@ -112,6 +112,8 @@ struct SiteData {
   std::vector<SiteLayer> layers;
   std::string_view bytes;
   std::shared_ptr<const void> owner;  ///< keeps the bytes
+  /// Costs from poses to a goal, in place of the cells'; usually none (`with_costs`).
+  std::function<double(const Pose&, std::size_t goal)> costs = {};
 
   /// The entry of a state; none if it was not reached, or lies outside.
   [[nodiscard]] std::optional<SiteEntry> find(const SiteLayer& layer,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "sites/data.h"
 #include "sites/way.h"
@@ -47,6 +48,13 @@ void CostDifferences::raise(const LocalPose& sample, std::span<float> lengths) c
 float CostDifferences::cost(const LocalPose& pose, std::size_t goal) const {
   const auto known = static_cast<float>(table_.cost(to_scenario(*world_, pose), goal));
   return std::isfinite(known) ? known : std::numeric_limits<float>::quiet_NaN();
+}
+
+SiteTable with_costs(const SiteTable& table,
+                     std::function<double(const Pose&, std::size_t goal)> costs) {
+  SiteData data = table.data();
+  data.costs = std::move(costs);
+  return SiteTable(std::make_shared<const SiteData>(std::move(data)));
 }
 
 }  // namespace vandplan::sites

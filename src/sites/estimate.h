@@ -6,6 +6,7 @@
 // What it can mean, and what not: docs/algorithms/site_tables.md.
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -55,5 +56,10 @@ class CostDifferences {
   bool is_one_way_;
   std::vector<std::vector<float>> costs_;  // of each goal: cost of each node, NaN where unknown [m]
 };
+
+/// The table with costs that a function gives in place of those of its cells [m]. Its ways stay.
+/// For studies of other estimates; the result is not written to a file.
+[[nodiscard]] SiteTable with_costs(const SiteTable& table,
+                                   std::function<double(const Pose&, std::size_t goal)> costs);
 
 }  // namespace vandplan::sites

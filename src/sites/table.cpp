@@ -39,6 +39,7 @@ double SiteTable::cell() const noexcept { return data_->grid.cell; }
 int SiteTable::headings() const noexcept { return data_->grid.headings; }
 
 double SiteTable::cost(const Pose& pose, std::size_t goal) const noexcept {
+  if (data_->costs) return data_->costs(pose, goal);
   const SiteLayer& layer = data_->layers[goal];
   sites::SiteState state = sites::state_at(data_->grid, layer, pose);
   double least = std::numeric_limits<double>::infinity();

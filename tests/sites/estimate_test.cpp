@@ -109,6 +109,18 @@ TEST(SiteEstimate, LeavesLengthsAsTheyAreWhereTheTableKnowsNoWay) {
   EXPECT_EQ(raised(table, problem, false, {free}, in_the_wall)[0], 1.0F);
 }
 
+TEST(SiteEstimate, TakesCostsOfAFunctionInPlaceOfThoseOfCells) {
+  const Problem problem = docks_behind_a_wall();
+  const SiteTable table = to_docks(problem);
+  const SiteTable other = with_costs(table, [](const Pose& pose, std::size_t goal) {
+    return pose.x + 10.0 * static_cast<double>(goal);
+  });
+  EXPECT_EQ(other.cost({3, 1, 2}, 1), 13.0);
+  EXPECT_EQ(other.goals(), table.goals());
+  EXPECT_NE(table.cost({3, 1, 2}, 1), 13.0);
+  EXPECT_EQ(CostsToGoal(other, problem.task()).from(to_local(*problem.world(), {3, 1, 2})), 3.0);
+}
+
 // ---- searches ----
 
 /// All searches with the estimate, each as one would name it.
