@@ -220,7 +220,7 @@ SitesStudy study_of(const SitesArguments& arguments) {
 
 void add_sites(CLI::App& studies) {
   CLI::App* const command = studies.add_subcommand(
-      "sites", "What do tables of the site bring the searches, and how coarse may they be?");
+      "sites", "What do tables of the site bring the searches, or networks that learned them?");
   const auto study = std::make_shared<SitesArguments>();
   const auto arguments = std::make_shared<StudyArguments>();
   command
@@ -235,6 +235,11 @@ void add_sites(CLI::App& studies) {
   command->add_option("--time", study->options.time_limit, "Processor time of each run [s]")
       ->type_name("S")
       ->check(CLI::Range(1e-4, 1e3).description(""))
+      ->capture_default_str()
+      ->take_last();
+  command->add_option("--training", study->options.training, "Steps of training of each network")
+      ->type_name("N")
+      ->check(CLI::Range(1, 10'000'000).description(""))
       ->capture_default_str()
       ->take_last();
   Options options(*command);

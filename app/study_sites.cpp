@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string>
 
 #include "study_summary.h"
 
@@ -49,6 +50,30 @@ Json comparison_json(const PairedComparison& comparison) {
           {"verdict", verdict_of(comparison, "smaller", "larger")}};
 }
 
+Json against_json(const SiteComparison& comparison) {
+  return {{"of", comparison.of},
+          {"against", comparison.against},
+          {"shorter", comparison.shorter},
+          {"longer", comparison.longer},
+          {"length", comparison_json(comparison.cost)},
+          {"first", comparison_json(comparison.first)}};
+}
+
+std::string line_of(const SiteRuns& runs) {
+  return fmt::format("  {:<40} {:6}  {:>15}  {:>20}\n", runs.planner, runs.solved,
+                     milliseconds(runs.median_first), ratio_text(runs.over_best));
+}
+
+std::string line_of(const SiteComparison& comparison) {
+  return fmt::format(
+      "  {} against {}: paths {} ({} shorter, {} longer, p = {:.2g}), the first path {} ({} times, "
+      "p = {:.2g})\n",
+      comparison.of, comparison.against, verdict_of(comparison.cost, "SHORTER", "LONGER"),
+      comparison.shorter, comparison.longer, comparison.cost.p_value,
+      verdict_of(comparison.first, "SOONER", "LATER"), ratio_text(comparison.first.ratio),
+      comparison.first.p_value);
+}
+
 }  // namespace
 
 std::string summary_of(const SitesStudy& study) {
@@ -58,18 +83,13 @@ std::string summary_of(const SitesStudy& study) {
       "  {:<40} solved  first path [ms]  length over the best\n",
       study.problems.size(), study.options.sites.size(), study.options.time_limit,
       study.options.seed, "planner");
-  const auto line_of = [](const SiteRuns& runs) {
-    return fmt::format("  {:<40} {:6}  {:>15}  {:>20}\n", runs.planner, runs.solved,
-                       milliseconds(runs.median_first), ratio_text(runs.over_best));
-  };
   for (const SiteSearch& search : study.searches) {
+    text += "  " + search.name + '\n';
     for (const SiteRuns& runs : search.runs) text += line_of(runs);
-    text += fmt::format(
-        "  {}: the table against {}: paths {} ({} shorter, {} longer, p = {:.2g}), the first "
-        "path {} (p = {:.2g})\n\n",
-        search.name, search.runs[search.rival].planner,
-        verdict_of(search.cost, "SHORTER", "LONGER"), search.shorter, search.longer,
-        search.cost.p_value, verdict_of(search.first, "SOONER", "LATER"), search.first.p_value);
+    for (const SiteRuns& runs : search.learned) text += line_of(runs);
+    text += line_of(search.table);
+    for (const SiteComparison& network : search.networks) text += line_of(network);
+    text += '\n';
   }
   text += "Coarser tables\n";
   for (const auto& [headings, cell, megabytes, runs] : study.resolutions) {
@@ -77,21 +97,29 @@ std::string summary_of(const SitesStudy& study) {
                         megabytes);
     for (const SiteRuns& of_planner : runs) text += line_of(of_planner);
   }
+  text +=
+      fmt::format("Costs against those of the table\n  {:<40} {:>8}  {:>8}  {:>8}  {:>6}  {:>5}\n",
+                  "estimate", "MB", "mean [m]", "95 % [m]", "mean %", "[ns]");
+  for (const auto& [name, megabytes, errors] : study.estimates) {
+    text += fmt::format("  {:<40} {:8.4f}  {:8.2f}  {:8.2f}  {:6.2f}  {:5.0f}\n", name, megabytes,
+                        errors.mean, errors.percent_95, 100 * errors.relative, errors.nanoseconds);
+  }
   return text;
 }
 
 Json json_of(const SitesStudy& study) {
   Json searches = Json::array();
   for (const SiteSearch& search : study.searches) {
-    Json planners = Json::array();
+    Json planners = Json::array(), learned = Json::array(), networks = Json::array();
     for (const SiteRuns& runs : search.runs) planners.push_back(runs_json(runs));
+    for (const SiteRuns& runs : search.learned) learned.push_back(runs_json(runs));
+    for (const SiteComparison& network : search.networks) networks.push_back(against_json(network));
     searches.push_back({{"search", search.name},
+                        {"asked", search.asked},
                         {"planners", planners},
-                        {"rival", search.runs[search.rival].planner},
-                        {"shorter", search.shorter},
-                        {"longer", search.longer},
-                        {"length", comparison_json(search.cost)},
-                        {"first", comparison_json(search.first)}});
+                        {"table", against_json(search.table)},
+                        {"learned", learned},
+                        {"networks", networks}});
   }
   Json tables = Json::array();
   for (const auto& [headings, cell, megabytes, runs] : study.resolutions) {
@@ -100,11 +128,21 @@ Json json_of(const SitesStudy& study) {
     tables.push_back(
         {{"headings", headings}, {"cell", cell}, {"megabytes", megabytes}, {"planners", planners}});
   }
+  Json estimates = Json::array();
+  for (const auto& [name, megabytes, errors] : study.estimates) {
+    estimates.push_back({{"estimate", name},
+                         {"megabytes", megabytes},
+                         {"mean", errors.mean},
+                         {"percent_95", errors.percent_95},
+                         {"relative", errors.relative},
+                         {"nanoseconds", errors.nanoseconds}});
+  }
   return {{"problems", study.problems.size()},
           {"time_limit", study.options.time_limit},
           {"seed", study.options.seed},
           {"searches", searches},
-          {"tables", tables}};
+          {"tables", tables},
+          {"estimates", estimates}};
 }
 
 }  // namespace vandplan::app

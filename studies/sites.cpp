@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "embedded_scenarios.h"
+#include "studies/site_ground.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
@@ -24,16 +25,35 @@ using evaluation::PairedComparison;
 
 constexpr double never = std::numeric_limits<double>::infinity();
 constexpr double confidence = 0.95;
-constexpr int most_draws = 10'000;  // random poses that are tried for a start
+constexpr std::size_t samples_of_site = 50'000;  // costs that a network learns
+
+/// Options of the questions that are asked again under other rules of driving.
+constexpr const char* forward = "gears=forward";
+constexpr const char* driver = "style=driver";
 
 /// A search and its planners. The last one is guided by the table.
 struct Entry {
   const char* name;
   std::vector<const char*> planners;
+  const char* asked = "";  ///< option that is asked for
 };
 
 /// The default planner is no search that takes an estimate; it begins with the table's way.
 constexpr const char* with_table = "anytime, with the table";
+
+/// A network that takes the place of the table: one that learned the site, and one that is told its
+/// map and learned the other sites.
+struct Learner {
+  Told told;
+  const char* planner;    ///< what stands behind the planner's name
+  const char* estimate;   ///< name of its costs
+  const char* untrained;  ///< name of the lengths that it is told
+};
+constexpr std::array learners = {
+    Learner{Told::place, ", network", "network of the site", "exact length"},
+    Learner{Told::map, ", network of others", "network of the other sites",
+            "exact length or any-angle way"}};
+constexpr std::size_t networks = learners.size();
 
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all = {
@@ -42,11 +62,12 @@ const std::vector<Entry>& entries() {
         "hybrid-a-star:any-angle", "hybrid-a-star:choi", "hybrid-a-star:max-reeds-shepp-any-angle",
         "hybrid-a-star:site"}},
       {"lattice A*",
-       {"lattice-a-star:lattice-table", "lattice-a-star:max-lattice-table-any-angle",
-        "lattice-a-star:choi", "lattice-a-star:site"}},
+       {"lattice-a-star:lattice-table", "lattice-a-star:grid",
+        "lattice-a-star:max-lattice-table-any-angle", "lattice-a-star:choi",
+        "lattice-a-star:site"}},
       {"hRRT",
-       {"hrrt:euclid", "hrrt:reeds-shepp", "hrrt:max-reeds-shepp-any-angle", "hrrt:choi",
-        "hrrt:site"}},
+       {"hrrt:euclid", "hrrt:reeds-shepp", "hrrt:grid", "hrrt:max-reeds-shepp-any-angle",
+        "hrrt:choi", "hrrt:site"}},
       {"BSC, as printed",
        {"rrt-bsc-euc", "rrt-bsc-hlut-2", "rrt-bsc-hlut-4", "rrt-bsc-rs", "rrt-bsc-site"}},
       {"BSC, goal tried",
@@ -57,96 +78,40 @@ const std::vector<Entry>& entries() {
       {"OPT, goal tried",
        {"rrt-opt-euc-goal", "rrt-opt-hlut-2-goal", "rrt-opt-hlut-4-goal", "rrt-opt-rs-goal",
         "rrt-opt-site-goal"}},
-      {"the default planner", {"anytime", with_table}}};
+      {"the default planner", {"anytime", with_table}},
+      {"hybrid A*, forward only",
+       {"hybrid-a-star:grid", "hybrid-a-star:any-angle", "hybrid-a-star:max-reeds-shepp-any-angle",
+        "hybrid-a-star:site"},
+       forward},
+      {"BSC, goal tried, forward only",
+       {"rrt-bsc-euc-goal", "rrt-bsc-rs-goal", "rrt-bsc-site-goal"},
+       forward},
+      {"OPT, goal tried, forward only",
+       {"rrt-opt-euc-goal", "rrt-opt-rs-goal", "rrt-opt-site-goal"},
+       forward},
+      {"the default planner, forward only", {"anytime", with_table}, forward},
+      {"hybrid A*, prices of a driver",
+       {"hybrid-a-star:grid", "hybrid-a-star:any-angle", "hybrid-a-star:max-reeds-shepp-any-angle",
+        "hybrid-a-star:site"},
+       driver},
+      {"the default planner, prices of a driver", {"anytime", with_table}, driver}};
   return all;
 }
 
 /// Searches that coarser tables are tried with: numbers in `entries`.
 constexpr std::array<std::size_t, 3> coarse_searches = {0, 2, 4};
 
-struct Resolution {
-  int headings;
-  double cell;
-};
-constexpr std::array resolutions = {Resolution{36, 0.12}, Resolution{36, 0.25}, Resolution{36, 0.5},
-                                    Resolution{18, 0.12}, Resolution{18, 0.5},  Resolution{9, 1.0}};
-
-/// Poses that a scenario's goal consists of; the middle of a region of many.
-std::vector<Pose> goals_of(const Scenario& scenario) {
-  if (scenario.goal_set.empty()) return {scenario.goal};
-  std::vector<Pose> goals;
-  goals.reserve(scenario.goal_set.size());
-  for (const GoalRegion& region : scenario.goal_set) goals.push_back(some_pose(region));
-  return goals;
-}
-
-PlanOptions by_length() { return complete(default_planner(), {.style = Style::shortest}); }
-
-/// A site in the making: its world with a first problem, free goals, and a table for each
-/// resolution.
-class Ground {
- public:
-  explicit Ground(const StudiedSite& site) : problem_(problem_of(site.scenario)) {
-    for (const Pose& goal : goals_of(site.scenario)) {
-      const Task task = with_poses(problem_, goal, goal).task();
-      if (task.checker->is_free(task.goal)) goals_.push_back(goal);
-    }
-    for (const auto& [headings, cell] : resolutions) {
-      try {
-        tables_.push_back(std::make_shared<const SiteTable>(
-            *make_site_table(problem_, goals_, by_length(), {.headings = headings, .cell = cell})));
-      } catch (const InputError& error) {
-        throw InputError(site.name, error.where() + ": " + error.problem());
-      }
-    }
-  }
-
-  /// Start and goal of a run: the first start is the scenario's, the others are random and free.
-  [[nodiscard]] std::pair<Pose, Pose> ends(int number, Rng& rng) const {
-    const Pose& goal = goals_[static_cast<std::size_t>(number) % goals_.size()];
-    const Task task = problem_.task();
-    const Local<Bounds> region = sampling_region(task, Region::scene);
-    LocalPose start = task.start;
-    for (int draw = 0; draw < most_draws && (draw == 0 || !task.checker->is_free(start)); ++draw) {
-      if (number > 0 || draw > 0) start = uniform_pose(region, rng);
-    }
-    return {to_scenario(*task.world, start), goal};
-  }
-
-  [[nodiscard]] Problem between(const Pose& start, const Pose& goal) const {
-    return with_poses(problem_, start, goal);
-  }
-  [[nodiscard]] const std::shared_ptr<const SiteTable>& table(std::size_t resolution) const {
-    return tables_[resolution];
-  }
-  [[nodiscard]] double megabytes(std::size_t resolution) const {
-    const auto bytes = static_cast<double>(site_table_to_bytes(*tables_[resolution]).size());
-    return 1e-6 * bytes / static_cast<double>(goals_.size());
-  }
-
- private:
-  static Problem problem_of(Scenario scenario) {
-    scenario.goal = goals_of(scenario).front();
-    scenario.goal_set.clear();
-    scenario.via.clear();
-    scenario.curvatures = {};
-    return make_problem(scenario);
-  }
-
-  Problem problem_;
-  std::vector<Pose> goals_;
-  std::vector<std::shared_ptr<const SiteTable>> tables_;
-};
-
 /// Runs a planner on a problem and adds what came out.
-void run(const Problem& problem, const std::shared_ptr<const SiteTable>& table,
+void run(const Problem& problem, const SiteTable& table, const std::string& asked,
          const PlanOptions& limits, SiteRuns& runs) {
-  const bool is_default = runs.planner == with_table;
-  const Planner planner = is_default ? default_planner() : planner_named(runs.planner);
+  const std::string name = runs.planner.substr(0, runs.planner.find(','));
+  const Planner planner = planner_named(name);
   PlanOptions options = limits;
-  options.style = Style::shortest;
+  ask(options, planner, asked);
   if (honours(planner, "region")) set_option(options, planner, "region", "scene");
-  if (is_default || asks_for_estimate(planner, options, "site")) options.site = table;
+  if (runs.planner == with_table || asks_for_estimate(planner, options, "site")) {
+    options.site = std::make_shared<const SiteTable>(table);
+  }
   const PlanResult result = plan(problem, planner, options);
   const bool is_solved = result.path && !result.anytime.empty();
   runs.costs.push_back(is_solved ? result.cost : never);
@@ -154,16 +119,25 @@ void run(const Problem& problem, const std::shared_ptr<const SiteTable>& table,
   if (is_solved) ++runs.solved;
 }
 
-/// Least cost of each problem, by whichever planner.
-std::vector<double> least_costs(const SitesStudy& study) {
+/// Calls `use(runs, asked)` with all runs.
+template <class Study, class Use>
+void for_all_runs(Study& study, Use use) {
+  for (auto& search : study.searches) {
+    for (auto& runs : search.runs) use(runs, search.asked);
+    for (auto& runs : search.learned) use(runs, search.asked);
+  }
+  for (auto& resolution : study.resolutions) {
+    for (auto& runs : resolution.runs) use(runs, std::string());
+  }
+}
+
+/// Least cost of each problem, by whichever planner that is asked for an option.
+std::vector<double> least_costs(const SitesStudy& study, const std::string& asked) {
   std::vector<double> least(study.problems.size(), never);
-  const auto look_at = [&](const std::vector<SiteRuns>& all) {
-    for (const SiteRuns& runs : all) {
-      for (std::size_t i = 0; i < least.size(); ++i) least[i] = std::min(least[i], runs.costs[i]);
-    }
-  };
-  for (const SiteSearch& search : study.searches) look_at(search.runs);
-  for (const SiteResolution& resolution : study.resolutions) look_at(resolution.runs);
+  for_all_runs(study, [&](const SiteRuns& runs, const std::string& option) {
+    if (option != asked) return;
+    for (std::size_t i = 0; i < least.size(); ++i) least[i] = std::min(least[i], runs.costs[i]);
+  });
   return least;
 }
 
@@ -171,30 +145,63 @@ void summarise(SiteRuns& runs, const std::vector<double>& least) {
   std::vector<double> over;
   over.reserve(least.size());
   for (std::size_t i = 0; i < least.size(); ++i) {
+    if (least[i] == never) continue;
     over.push_back(runs.costs[i] == least[i] ? 1.0 : runs.costs[i] / least[i]);
   }
+  if (over.empty()) over.push_back(never);
   runs.over_best = evaluation::median_of(over, confidence).median;
   runs.median_first = evaluation::median_of(runs.first, confidence).median;
 }
 
+SiteComparison compared(const SiteRuns& of, const SiteRuns& against) {
+  SiteComparison comparison{.of = of.planner, .against = against.planner};
+  for (std::size_t i = 0; i < of.costs.size(); ++i) {
+    comparison.shorter += of.costs[i] < against.costs[i] ? 1 : 0;
+    comparison.longer += of.costs[i] > against.costs[i] ? 1 : 0;
+  }
+  comparison.cost = evaluation::compare_pairs(of.costs, against.costs, confidence);
+  comparison.first = evaluation::compare_pairs(of.first, against.first, confidence);
+  return comparison;
+}
+
+/// Whether a planner's estimate is the exact length on open ground, or the way on a grid.
+bool is_plain(std::string_view planner) {
+  return std::ranges::any_of(
+      std::array<std::string_view, 5>{":reeds-shepp", ":lattice-table", "-rs", "-rs-goal", ":grid"},
+      [&](std::string_view estimate) { return planner.ends_with(estimate); });
+}
+
 void compare(SiteSearch& search) {
-  const SiteRuns& by_table = search.runs.back();
   const auto is_better = [](const SiteRuns& a, const SiteRuns& b) {
     return a.solved != b.solved ? a.solved > b.solved : a.over_best < b.over_best;
   };
   const auto rival = std::min_element(search.runs.begin(), search.runs.end() - 1, is_better);
   search.rival = static_cast<std::size_t>(rival - search.runs.begin());
-  for (std::size_t i = 0; i < rival->costs.size(); ++i) {
-    search.shorter += by_table.costs[i] < rival->costs[i] ? 1 : 0;
-    search.longer += by_table.costs[i] > rival->costs[i] ? 1 : 0;
+  search.table = compared(search.runs.back(), *rival);
+  for (const SiteRuns& network : search.learned) {
+    search.networks.push_back(compared(network, search.runs.back()));
+    for (const SiteRuns& runs : search.runs) {
+      if (is_plain(runs.planner)) search.networks.push_back(compared(network, runs));
+    }
   }
-  search.cost = evaluation::compare_pairs(by_table.costs, rival->costs, confidence);
-  search.first = evaluation::compare_pairs(by_table.first, rival->first, confidence);
+}
+
+/// Verdicts on tables, and those on networks, hold together.
+void judge(SitesStudy& study) {
+  std::vector<PairedComparison*> tables, learned;
+  for (SiteSearch& search : study.searches) {
+    tables.insert(tables.end(), {&search.table.cost, &search.table.first});
+    for (SiteComparison& network : search.networks) {
+      learned.insert(learned.end(), {&network.cost, &network.first});
+    }
+  }
+  evaluation::judge_together(tables, confidence);
+  evaluation::judge_together(learned, confidence);
 }
 
 /// Problems that no planner solves say nothing, and are left out.
 void drop_unsolved(SitesStudy& study) {
-  const std::vector<double> least = least_costs(study);
+  const std::vector<double> least = least_costs(study, "");
   const auto drop_from = [&](auto& values) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < least.size(); ++i) {
@@ -202,28 +209,45 @@ void drop_unsolved(SitesStudy& study) {
     }
     values.resize(kept);
   };
-  const auto drop_from_all = [&](std::vector<SiteRuns>& all) {
-    for (SiteRuns& runs : all) {
-      drop_from(runs.costs);
-      drop_from(runs.first);
-    }
-  };
-  for (SiteSearch& search : study.searches) drop_from_all(search.runs);
-  for (SiteResolution& resolution : study.resolutions) drop_from_all(resolution.runs);
+  for_all_runs(study, [&](SiteRuns& runs, const std::string&) {
+    drop_from(runs.costs);
+    drop_from(runs.first);
+    runs.solved = static_cast<int>(
+        std::ranges::count_if(runs.costs, [](double cost) { return cost < never; }));
+  });
   drop_from(study.problems);
 }
 
-void run_all(SitesStudy& study, const Ground& ground, const Problem& problem, std::uint64_t seed) {
+/// A site with what networks know of it.
+struct Site {
+  SiteGround ground;
+  std::array<CostSamples, networks> samples = {};
+  std::array<std::shared_ptr<const Network>, networks> learned = {};  ///< null: nothing to learn
+};
+
+/// The table as a network of a site knows it, for one run.
+SiteTable learned_table(const Site& site, std::size_t learner,
+                        std::shared_ptr<const Network> network) {
+  return with_learned_costs(site.ground.table(0), site.ground.problem(), learners[learner].told,
+                            std::move(network));
+}
+
+void run_all(SitesStudy& study, const Site& site, const Problem& problem, std::uint64_t seed) {
   PlanOptions limits;
   limits.budget.time_limit = study.options.time_limit;
   limits.budget.processor_time = true;
   limits.budget.seed = seed;
   for (SiteSearch& search : study.searches) {
-    for (SiteRuns& runs : search.runs) run(problem, ground.table(0), limits, runs);
+    const SiteTable& table = site.ground.table(search.asked);
+    for (SiteRuns& runs : search.runs) run(problem, table, search.asked, limits, runs);
+    for (std::size_t i = 0; i < search.learned.size(); ++i) {
+      run(problem, learned_table(site, i, site.learned[i]), search.asked, limits,
+          search.learned[i]);
+    }
   }
   for (std::size_t i = 0; i < resolutions.size(); ++i) {
     for (SiteRuns& runs : study.resolutions[i].runs) {
-      run(problem, ground.table(i), limits, runs);
+      run(problem, site.ground.table(i), "", limits, runs);
     }
   }
 }
@@ -231,9 +255,14 @@ void run_all(SitesStudy& study, const Ground& ground, const Problem& problem, st
 SitesStudy begun(const SitesOptions& options) {
   SitesStudy study{.options = options};
   if (study.options.sites.empty()) study.options.sites = usual_sites();
-  for (const auto& [name, planners] : entries()) {
-    SiteSearch search{.name = name};
+  const std::size_t taken = study.options.sites.size() > 1 ? networks : 1;
+  for (const auto& [name, planners, asked] : entries()) {
+    SiteSearch search{.name = name, .asked = asked};
     for (const char* const planner : planners) search.runs.push_back({.planner = planner});
+    const bool is_learned = search.asked.empty() && planners.back() != with_table;
+    for (std::size_t i = 0; is_learned && i < taken; ++i) {
+      search.learned.push_back({.planner = std::string(planners.back()) + learners[i].planner});
+    }
     study.searches.push_back(std::move(search));
   }
   for (const auto& [headings, cell] : resolutions) {
@@ -246,41 +275,67 @@ SitesStudy begun(const SitesOptions& options) {
   return study;
 }
 
-std::string csv_of_runs(const SitesStudy& study) {
-  std::string csv = "search,runs,planner,site,start,length,first\n";
-  for (std::size_t s = 0; s < study.searches.size(); ++s) {
-    const std::vector<SiteRuns>& all = study.searches[s].runs;
-    for (std::size_t r = 0; r < all.size(); ++r) {
-      for (std::size_t i = 0; i < study.problems.size(); ++i) {
-        csv += fmt::format("{},{},\"{}\",{},{},{:.6g},{:.6g}\n", s, r, all[r].planner,
-                           study.options.sites[study.problems[i].site].name, i, all[r].costs[i],
-                           all[r].first[i]);
-      }
+/// Makes tables of the sites, and trains networks on them.
+std::vector<Site> sites_of(const SitesOptions& options) {
+  std::vector<Site> sites;
+  sites.reserve(options.sites.size());
+  for (const auto& [name, scenario] : options.sites) {
+    Site& site = sites.emplace_back(Site{SiteGround(name, scenario, {forward, driver})});
+    for (std::size_t i = 0; i < networks; ++i) {
+      site.samples[i] = cost_samples(site.ground.table(0), site.ground.problem(), learners[i].told,
+                                     samples_of_site, options.seed);
     }
   }
-  return csv;
+  for (Site& site : sites) {
+    CostSamples others;
+    for (const Site& other : sites) {
+      if (&other == &site) continue;
+      const auto& [inputs, targets] = other.samples[1];
+      others.inputs.insert(others.inputs.end(), inputs.begin(), inputs.end());
+      others.targets.insert(others.targets.end(), targets.begin(), targets.end());
+    }
+    site.learned[0] = trained_on(site.samples[0], options.training, options.seed);
+    if (others.targets.empty()) continue;
+    site.learned[1] = trained_on(others, options.training, options.seed);
+  }
+  return sites;
 }
 
-std::string csv_of_tables(const SitesStudy& study) {
-  std::string csv = "headings,cell,megabytes,planner,solved,over_best,first\n";
-  for (const auto& [headings, cell, megabytes, all] : study.resolutions) {
-    for (const SiteRuns& runs : all) {
-      csv += fmt::format("{},{},{:.4f},\"{}\",{},{:.6g},{:.6g}\n", headings, cell, megabytes,
-                         runs.planner, runs.solved, runs.over_best, runs.median_first);
+/// Adds an estimate's errors on a site.
+void add_errors(const SiteTable& costs, const Site& site, double megabytes, double share,
+                std::uint64_t seed, SiteEstimate& estimate) {
+  const CostErrors errors = cost_errors(costs, site.ground.table(0), seed);
+  estimate.megabytes += share * megabytes;
+  estimate.errors.mean += share * errors.mean;
+  estimate.errors.percent_95 += share * errors.percent_95;
+  estimate.errors.relative += share * errors.relative;
+  estimate.errors.nanoseconds += share * errors.nanoseconds;
+}
+
+/// Errors of coarser tables, of networks, and of the lengths that networks are told.
+std::vector<SiteEstimate> estimates_of(const std::vector<Site>& sites, std::uint64_t seed) {
+  const double share = 1.0 / static_cast<double>(sites.size());
+  std::vector<SiteEstimate> all;
+  for (std::size_t i = 0; i < resolutions.size(); ++i) {
+    const auto& [headings, cell] = resolutions[i];
+    all.push_back({fmt::format("table of {} headings, cells of {} radii", headings, cell)});
+    for (const Site& site : sites) {
+      add_errors(site.ground.table(i), site, site.ground.megabytes(i), share, seed, all.back());
     }
   }
-  return csv;
-}
-
-/// Share of the problems that some runs have solved by a time. Other lines of the file weigh
-/// nothing and stand far off: missing values would cut the curve.
-std::string curve(std::size_t search, std::size_t runs, double share, const std::string& title,
-                  const std::string& look) {
-  const std::string counts = fmt::format("$1=={} && $2=={} && $7<1e9", search, runs);
-  return fmt::format(
-      "'sites_runs.csv' skip 1 using ({0} ? 1000*$7 : 1e9):({0} ? {1:.6f} : 0) smooth cumulative "
-      "with lines {2} title '{3}'",
-      counts, share, look, title);
+  for (std::size_t i = 0; i < networks; ++i) {
+    SiteEstimate trained{learners[i].estimate}, untrained{learners[i].untrained};
+    for (const Site& site : sites) {
+      add_errors(learned_table(site, i, nullptr), site, 0.0, share, seed, untrained);
+      const std::shared_ptr<const Network>& network = site.learned[i];
+      if (!network) continue;
+      const double bytes = static_cast<double>(network->weights().size() * sizeof(float));
+      add_errors(learned_table(site, i, network), site, 1e-6 * bytes, share, seed, trained);
+    }
+    if (sites.front().learned[i]) all.push_back(std::move(trained));
+    all.push_back(std::move(untrained));
+  }
+  return all;
 }
 
 }  // namespace
@@ -297,56 +352,32 @@ std::vector<StudiedSite> usual_sites() {
 
 SitesStudy study_sites(const SitesOptions& options) {
   SitesStudy study = begun(options);
-  const std::vector<StudiedSite>& sites = study.options.sites;
-  for (std::size_t site = 0; site < sites.size(); ++site) {
-    const Ground ground(sites[site]);
+  const std::vector<Site> sites = sites_of(study.options);
+  for (std::size_t number = 0; number < sites.size(); ++number) {
+    const Site& site = sites[number];
     for (std::size_t i = 0; i < study.resolutions.size(); ++i) {
-      study.resolutions[i].megabytes += ground.megabytes(i) / static_cast<double>(sites.size());
+      study.resolutions[i].megabytes +=
+          site.ground.megabytes(i) / static_cast<double>(sites.size());
     }
-    Rng rng(stream_seed(options.seed, site));
-    for (int number = 0; number < options.starts; ++number) {
-      const auto [start, goal] = ground.ends(number, rng);
-      study.problems.push_back({site, start, goal});
-      run_all(study, ground, ground.between(start, goal), rng());
+    Rng rng(stream_seed(options.seed, number));
+    for (int i = 0; i < options.starts; ++i) {
+      const auto [start, goal] = site.ground.ends(i, rng);
+      study.problems.push_back({number, start, goal});
+      run_all(study, site, with_poses(site.ground.problem(), start, goal), rng());
     }
   }
+  study.estimates = estimates_of(sites, options.seed + 1);
   drop_unsolved(study);
   if (study.problems.empty()) throw InputError("sites", "no planner solves any of the problems");
-  const std::vector<double> least = least_costs(study);
-  std::vector<PairedComparison*> together;
-  for (SiteSearch& search : study.searches) {
-    for (SiteRuns& runs : search.runs) summarise(runs, least);
-    compare(search);
-    together.insert(together.end(), {&search.cost, &search.first});
+  for (const char* const asked : {"", forward, driver}) {
+    const std::vector<double> least = least_costs(study, asked);
+    for_all_runs(study, [&](SiteRuns& runs, const std::string& option) {
+      if (option == asked) summarise(runs, least);
+    });
   }
-  for (SiteResolution& resolution : study.resolutions) {
-    for (SiteRuns& runs : resolution.runs) summarise(runs, least);
-  }
-  evaluation::judge_together(together, confidence);
+  for (SiteSearch& search : study.searches) compare(search);
+  judge(study);
   return study;
-}
-
-StudyFiles files_of(const SitesStudy& study) {
-  std::vector<TextFile> data = {{"sites_runs.csv", csv_of_runs(study)},
-                                {"sites_tables.csv", csv_of_tables(study)}};
-  std::string body = fmt::format(
-      "set multiplot layout 2,4 title 'Problems with a path [%] by processor time [ms]: with the "
-      "table "
-      "of the site (solid), with the best other estimate (dashed)' font ',14'\n"
-      "set logscale x\nset xrange [0.01:{}]\nset yrange [0:100]\nset key below samplen 1 font "
-      "',9'\n",
-      1e3 * study.options.time_limit);
-  const double share = 100.0 / static_cast<double>(std::max(study.problems.size(), std::size_t{1}));
-  for (std::size_t s = 0; s < study.searches.size(); ++s) {
-    const SiteSearch& search = study.searches[s];
-    body += fmt::format(
-        "set title '{}'\nplot {}, {}, -1 notitle\n", search.name,
-        curve(s, search.runs.size() - 1, share, "table of the site",
-              fmt::format("linewidth 2.5 linecolor rgb '{}'", study_colour::blue)),
-        curve(s, search.rival, share, search.runs[search.rival].planner,
-              fmt::format("linewidth 2 dashtype (8,5) linecolor rgb '{}'", study_colour::orange)));
-  }
-  return study_files({"sites", 1600, 800}, std::move(data), body + "unset multiplot\n");
 }
 
 }  // namespace vandplan::studies

@@ -133,13 +133,16 @@ goal: {x: 0, y: 0, heading: 0}
 obstacles:
   - [[4, -8], [5, -8], [5, 8], [4, 8]]
 )");
-  const Json json = json_of({"sites", yard, "--starts", "1", "--time", "0.02"});
+  const Json json = json_of({"sites", yard, "--starts", "1", "--time", "0.02", "--training", "99"});
   EXPECT_EQ(json.at("problems"), 1);
   EXPECT_EQ(json.at("searches").at(0).at("search"), "hybrid A*");
   EXPECT_EQ(json.at("searches").at(0).at("planners").back().at("planner"), "hybrid-a-star:site");
   EXPECT_EQ(json.at("searches").at(0).at("planners").back().at("solved"), 1);
+  EXPECT_EQ(json.at("searches").at(0).at("networks").at(0).at("of"), "hybrid-a-star:site, network");
   EXPECT_GE(json.at("tables").size(), 3U);
+  EXPECT_EQ(json.at("estimates").back().at("estimate"), "exact length or any-angle way");
   expect_pictures("sites");
+  EXPECT_EQ(complaint({"sites", "--training", "0"}).substr(0, 11), "--training:");
   EXPECT_EQ(complaint({"sites", "--starts", "0"}).substr(0, 9), "--starts:");
   EXPECT_EQ(complaint({"sites", folder_ / "none.yaml"}),
             (folder_ / "none.yaml") + ": cannot open: No such file or directory");

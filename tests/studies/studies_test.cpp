@@ -6,6 +6,10 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "studies/accuracy.h"
 #include "studies/growth.h"
@@ -230,8 +234,18 @@ StudiedSite small_yard() {
   return {"yard", scenario};
 }
 
+SitesOptions brief(int starts, std::vector<StudiedSite> sites) {
+  return {.starts = starts, .time_limit = 0.02, .training = 100, .sites = std::move(sites)};
+}
+
+/// A study of a site alone, for all tests that look at it.
+const SitesStudy& study_of_a_yard() {
+  static const SitesStudy study = study_sites(brief(1, {small_yard()}));
+  return study;
+}
+
 TEST(SitesStudy, ComparesTheTableWithTheBestOtherEstimateOfEachSearch) {
-  const SitesStudy study = study_sites({.starts = 2, .time_limit = 0.02, .sites = {small_yard()}});
+  const SitesStudy study = study_sites(brief(2, {small_yard()}));
   ASSERT_LE(study.problems.size(), 2U);
   ASSERT_GE(study.problems.size(), 1U);
   EXPECT_EQ(study.problems[0].start, (Pose{10, 0, 0}));
@@ -244,30 +258,83 @@ TEST(SitesStudy, ComparesTheTableWithTheBestOtherEstimateOfEachSearch) {
       if (&runs == &search.runs.back()) continue;
       EXPECT_LE(runs.solved, rival.solved) << runs.planner;
     }
-    EXPECT_EQ(search.cost.pairs, static_cast<int>(study.problems.size()));
-    EXPECT_LE(search.shorter + search.longer, search.cost.pairs);
+    const SiteComparison& table = search.table;
+    EXPECT_EQ(table.of, search.runs.back().planner);
+    EXPECT_EQ(table.against, rival.planner);
+    EXPECT_EQ(table.cost.pairs, static_cast<int>(study.problems.size()));
+    EXPECT_LE(table.shorter + table.longer, table.cost.pairs);
   }
   ASSERT_GE(study.resolutions.size(), 3U);
   EXPECT_GT(study.resolutions.front().megabytes, 2 * study.resolutions.back().megabytes);
 }
 
+/// The search of that name.
+const SiteSearch& search_named(const SitesStudy& study, std::string_view name) {
+  const auto found = std::ranges::find(study.searches, name, &SiteSearch::name);
+  EXPECT_NE(found, study.searches.end());
+  return *found;
+}
+
+TEST(SitesStudy, ComparesNetworksWithTheTableExactLengthsAndTheGrid) {
+  const SitesStudy study = study_sites(brief(1, {small_yard(), small_yard()}));
+  const SiteSearch& search = search_named(study, "hRRT");
+  ASSERT_EQ(search.learned.size(), 2U);
+  EXPECT_EQ(search.learned[0].planner, "hrrt:site, network");
+  std::vector<std::string> against;
+  for (const SiteComparison& network : search.networks) {
+    if (network.of == search.learned[1].planner) against.push_back(network.against);
+  }
+  EXPECT_EQ(against, (std::vector<std::string>{"hrrt:site", "hrrt:reeds-shepp", "hrrt:grid"}));
+  std::vector<std::string> names;
+  for (const SiteEstimate& estimate : study.estimates) names.push_back(estimate.name);
+  const std::vector<std::string> last(names.end() - 4, names.end());
+  EXPECT_EQ(last, (std::vector<std::string>{"network of the site", "exact length",
+                                            "network of the other sites",
+                                            "exact length or any-angle way"}));
+  EXPECT_EQ(study.estimates.front().errors.mean, 0.0);
+  EXPECT_GT(study.estimates.back().errors.mean, 0.0);
+}
+
+TEST(SitesStudy, ASiteAloneHasNoOtherSitesToLearnFrom) {
+  const SitesStudy& study = study_of_a_yard();
+  EXPECT_EQ(search_named(study, "hRRT").learned.size(), 1U);
+  EXPECT_TRUE(std::ranges::none_of(study.estimates, [](const SiteEstimate& estimate) {
+    return estimate.name == "network of the other sites";
+  }));
+}
+
+// A driver's prices make a path dearer than it is long, and there are ways for forward driving.
+TEST(SitesStudy, AsksForGearsAndPrices) {
+  const SitesStudy& study = study_of_a_yard();
+  const double shortest = search_named(study, "the default planner").runs.back().costs.at(0);
+  for (const char* const rule : {"forward only", "prices of a driver"}) {
+    const SiteSearch& search = search_named(study, "the default planner, " + std::string(rule));
+    for (const SiteRuns& runs : search.runs) {
+      EXPECT_GT(runs.costs.at(0), shortest + 1.0) << runs.planner << ", " << rule;
+      EXPECT_LT(runs.costs.at(0), 1e9) << runs.planner << ", " << rule;
+    }
+  }
+}
+
 TEST(SitesStudy, FilesHoldEveryRunAndEveryResolution) {
-  const SitesStudy study = study_sites({.starts = 1, .time_limit = 0.01, .sites = {small_yard()}});
+  const SitesStudy& study = study_of_a_yard();
   const StudyFiles files = files_of(study);
   std::ptrdiff_t runs = 0;
   for (const SiteSearch& search : study.searches) {
-    runs += static_cast<std::ptrdiff_t>(search.runs.size() * study.problems.size());
+    const std::size_t kinds = search.runs.size() + search.learned.size();
+    runs += static_cast<std::ptrdiff_t>(kinds * study.problems.size());
   }
-  ASSERT_EQ(files.data.size(), 2U);
+  ASSERT_EQ(files.data.size(), 3U);
   EXPECT_EQ(lines_of(files.data[0].content), 1 + runs);
   EXPECT_EQ(lines_of(files.data[1].content), 1 + 3 * std::ssize(study.resolutions));
+  EXPECT_EQ(lines_of(files.data[2].content), 1 + std::ssize(study.estimates));
   EXPECT_EQ(files.pictures, (std::vector<std::string>{"sites.png", "sites.svg"}));
 }
 
 TEST(SitesStudy, NamesASiteThatHasNoTable) {
   StudiedSite yard = small_yard();
   yard.scenario.goal = {4.5, 0, 0};
-  EXPECT_THROW((void)study_sites({.starts = 1, .sites = {yard}}), InputError);
+  EXPECT_THROW((void)study_sites(brief(1, {yard})), InputError);
 }
 
 TEST(SitesStudy, HasASiteWithManyDocks) {
