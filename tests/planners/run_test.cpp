@@ -161,14 +161,12 @@ TEST_F(Scheduling, RoundsEndAtAPause) {
   const Script& first = add(5);
   const Script& second = add(7);
   anytime::Run& run = rounds(0);
-  run.pause_after(8);
-  EXPECT_TRUE(run.advance());
+  EXPECT_TRUE(run.advance(8));
   EXPECT_EQ(first.calls[0].granted, 5);
   EXPECT_EQ(second.calls[0].granted, 3);
-  EXPECT_TRUE(run.advance());
+  EXPECT_TRUE(run.advance(0));
   EXPECT_EQ(first.calls[1].granted, 0);
-  run.pause_after(100);
-  EXPECT_TRUE(run.advance());
+  EXPECT_TRUE(run.advance(100));
   EXPECT_EQ(second.calls[2].granted, 7);
 }
 
@@ -274,8 +272,7 @@ TEST_F(Scheduling, ARunWithoutARouteGoesOnWhileSomebodyProves) {
 TEST_F(Scheduling, APauseDoesNotEndARun) {
   add(3).finds = {50.0};
   anytime::Run& run = rounds(1);
-  run.pause_after(0);
-  for (int i = 0; i < 1000; ++i) EXPECT_TRUE(run.advance());
+  for (int i = 0; i < 1000; ++i) EXPECT_TRUE(run.advance(0));
 }
 
 TEST_F(Scheduling, RelaxedRoutesAreNoAnswersButOffers) {

@@ -44,7 +44,7 @@ void Run::take(search::Route route) {
 
 // Number of the `wanted` iterations that are left after `promised` ones.
 std::int64_t Run::left(std::int64_t wanted, std::int64_t promised) const {
-  const std::int64_t most = pause_ - budget_.iterations() - promised;
+  const std::int64_t most = last_ - budget_.iterations() - promised;
   return std::min(budget_.left(wanted, promised), std::max<std::int64_t>(most, 0));
 }
 
@@ -226,7 +226,9 @@ void Run::round() {
 // unless there is a time limit, as iterations would never end it.
 bool Run::is_exhausted() const { return idle_rounds_ >= max_idle_rounds; }
 
-bool Run::advance() {
+bool Run::advance(std::int64_t most) {
+  const std::int64_t endless = std::numeric_limits<std::int64_t>::max();
+  last_ = budget_.iterations() + std::min(most, endless - budget_.iterations());
   const bool is_over =
       is_optimal() || is_good_enough() || !proven().walled_in.empty() || is_exhausted();
   if (is_over) return false;
@@ -295,11 +297,9 @@ PlannerAnswer Run::answer() {
 
 planning::LeastLength Run::least_length() const {
   const Proven all = proven();
-  if (all.walled_in.empty()) {
-    return {all.shortest, all.shortest_turn, all.added, all.in_zones};
-  }
-  constexpr double endless = std::numeric_limits<double>::infinity();
-  return {endless, endless};
+  const double endless = std::numeric_limits<double>::infinity();
+  if (!all.walled_in.empty()) return {endless, endless};
+  return {all.shortest, all.shortest_turn, all.added, all.in_zones};
 }
 
 }  // namespace vandplan::anytime

@@ -21,23 +21,19 @@ namespace vandplan::anytime {
 /// Lets the workers of a portfolio work in rounds. Workers hear of each other only between rounds,
 /// and results are merged in a fixed order. So the outcome does not depend on the number of
 /// threads.
-class Run {
+class Run final : public planning::PathSearch {
  public:
   /// `budget` has begun; it was made from `options`.
   Run(Portfolio portfolio, const search::Budget& budget, const BudgetOptions& options);
 
-  /// Does one round. False if nothing is left to do or the budget is spent.
-  bool advance();
-  /// Limits all later rounds together to so many more iterations, until the next call.
-  void pause_after(std::int64_t iterations) { pause_ = budget_.iterations() + iterations; }
+  bool advance(std::int64_t most) override;
+  /// Does one round, which only the budget limits. False as above.
+  bool advance() { return advance(std::numeric_limits<std::int64_t>::max()); }
 
-  [[nodiscard]] std::int64_t iterations() const { return budget_.iterations(); }
-  /// Segments of the cheapest path so far, tidied; none while no path is known.
-  [[nodiscard]] std::optional<std::vector<Segment>> path();
-  /// The answer, as if the run ended here.
-  [[nodiscard]] PlannerAnswer answer();
-  /// What is proven of the length of paths so far.
-  [[nodiscard]] planning::LeastLength least_length() const;
+  [[nodiscard]] std::int64_t iterations() const override { return budget_.iterations(); }
+  [[nodiscard]] std::optional<std::vector<Segment>> path() override;
+  [[nodiscard]] PlannerAnswer answer() override;
+  [[nodiscard]] planning::LeastLength least_length() const override;
 
  private:
   [[nodiscard]] std::int64_t left(std::int64_t wanted, std::int64_t promised) const;
@@ -69,7 +65,7 @@ class Run {
   std::uint64_t seed_;
   int threads_;
   bool has_time_limit_;
-  std::int64_t pause_ = std::numeric_limits<std::int64_t>::max();  // iteration of the next pause
+  std::int64_t last_ = 0;               // iteration at which the round ends
   std::optional<PlanStatus> end_;       // why the run ended, if the budget was spent
   std::optional<search::Route> route_;  // cheapest route
   std::optional<Drive> drive_;          // cheapest drive
