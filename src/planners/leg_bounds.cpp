@@ -107,8 +107,10 @@ void LegBounds::sharpen(Leg& leg, const Stop& from, const Stop& to) const {
 }
 
 // The rear axle has the same way whatever the headings, and so has a disc around it.
-void LegBounds::raise(std::size_t leg, const Pose& from, const Pose& to,
-                      const LeastLength& proven) {
+void LegBounds::raise(std::size_t leg, const Pose& from, const Pose& to, const Proven& proven) {
+  const double wall = proven.walled_in.empty() ? 0.0 : std::numeric_limits<double>::infinity();
+  const double around = std::max(proven.shortest, wall);
+  const double turning = std::max(proven.shortest_turn, wall);
   const bool tells_headings = search::bound_disc(vehicle_).ahead != 0.0;
   const auto is_at = [](const Stop& stop, const Pose& pose) {
     return (stop.region == nullptr || !is_continuous(*stop.region)) && stop.place.end.pose == pose;
@@ -129,10 +131,10 @@ void LegBounds::raise(std::size_t leg, const Pose& from, const Pose& to,
       known.in_zones = std::max(known.in_zones, proven.in_zones);
       const bool is_exact = is_at(first, from) && is_at(last, to);
       if (tells_headings && !is_exact) continue;
-      double least = proven.around - first.place.end.off.position - last.place.end.off.position;
+      double least = around - first.place.end.off.position - last.place.end.off.position;
       if (is_exact) {
         sharpen(known, first, last);
-        least = std::max(least, proven.turning - known.ground.leeway);
+        least = std::max(least, turning - known.ground.leeway);
       }
       if (least <= known.around) continue;
       known.around = least;

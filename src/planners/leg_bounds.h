@@ -29,8 +29,8 @@ class LegBounds {
   LegBounds(const Task& task, const Pricing& pricing, std::int64_t work);
 
   /// Takes what is proven of paths between two poses: leg `leg` leads to via `leg`, or to the goal.
-  /// What is proven `around` obstacles may hold for other headings at the same places, too.
-  void raise(std::size_t leg, const Pose& from, const Pose& to, const LeastLength& proven);
+  /// A bound around obstacles may hold for other headings at the same places, too.
+  void raise(std::size_t leg, const Pose& from, const Pose& to, const Proven& proven);
 
   /// The bound [m or s].
   [[nodiscard]] double least();

@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "vandplan/plan_options.h"
@@ -17,13 +18,21 @@
 
 namespace vandplan::planning {
 
-/// Lower bounds of the length of all paths of a task with exact ends [m], and of costs. They hold
-/// whatever the gears and curvatures at the ends. Infinite: there is no path.
-struct LeastLength {
-  double around = 0.0;    ///< ends that are off make a path shorter by no more than they are off
-  double turning = 0.0;   ///< ends that are off make it shorter by at most `OpenGround::leeway`
-  double added = 0.0;     ///< what zones and masks add at least to the cost that a length tells
-  double in_zones = 0.0;  ///< bound of the cost, by rules and prices of zones and masks alone
+/// What is proven of all paths of a task, whatever the gears and curvatures at the ends.
+struct Proven {
+  /// Lower bound of the length of paths with exact ends, around obstacles [m]. Ends that are off
+  /// make a path shorter by no more than they are off.
+  double shortest = 0.0;
+  /// Lower bound of the length of paths with exact ends, with headings [m]. Ends that are off may
+  /// make a path shorter by `OpenGround::leeway`.
+  double shortest_turn = 0.0;
+  /// What zones and masks add at least to the cost that the lengths tell.
+  double added = 0.0;
+  /// Lower bound of the cost, by rules and prices of zones and masks alone.
+  double in_zones = 0.0;
+  /// What is proven not to get from the start to the goal, such as "nothing as wide as the
+  /// vehicle"; empty: none.
+  std::string_view walled_in = {};
 };
 
 /// A planner that can be continued. What it has found after a number of iterations does not depend
@@ -41,8 +50,8 @@ class PathSearch {
   [[nodiscard]] virtual std::int64_t iterations() const = 0;
   /// Status, counters and the path, as if the search ended here.
   [[nodiscard]] virtual PlannerAnswer answer() = 0;
-  /// What is proven of the length of paths so far.
-  [[nodiscard]] virtual LeastLength least_length() const { return {}; }
+  /// What is proven so far.
+  [[nodiscard]] virtual Proven proven() const { return {}; }
 };
 
 /// Begins a search for paths to the one goal of a task. `known` is a path of the task's frame to a

@@ -178,7 +178,7 @@ class ViaSearch final : public PathSearch {
     leg.spent += work;
     iterations_ += work;
     leg.path = leg.search->path();
-    bounds_.raise(leg.via, leg.task.start, leg.task.goal, leg.search->least_length());
+    bounds_.raise(leg.via, leg.task.start, leg.task.goal, leg.search->proven());
     if (leg.is_done && !leg.path) {
       const PlannerAnswer answer = leg.search->answer();
       leg.is_closed = answer.status == PlanStatus::no_path;

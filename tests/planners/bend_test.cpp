@@ -320,7 +320,6 @@ TEST(Bender, TurnsTheWheelsLessWhereThatIsCheaper) {
     const Task task = task_of(problem, {}, steering);
     const Route route = word_route(task);
     Bender bender(task, priced, 1);
-    EXPECT_FALSE(bender.has_work());
     bender.offer(route);
     EXPECT_TRUE(bender.step());
     EXPECT_NEAR(bender.cost(), route.cost, 0.01 * route.cost);
@@ -361,14 +360,14 @@ TEST(Bender, KeepsTheCheapestOfAll) {
   Bender bender(task, priced, 1);
   std::vector<Segment> around = path_of(route).segments;
   around.insert(around.begin(), detour.begin(), detour.end());
-  bender.offer(around);
+  bender.offer_path(around);
   EXPECT_TRUE(bender.step());
   const double dear = bender.cost();
   bender.offer(route);
   EXPECT_TRUE(bender.step());
   EXPECT_LT(bender.cost(), dear - 50);
   const double cheap = bender.cost();
-  bender.offer(around);
+  bender.offer_path(around);
   for (int i = 0; i < 50; ++i) (void)bender.step();
   EXPECT_LE(bender.cost(), cheap);
 }
@@ -388,12 +387,12 @@ TEST(Bender, TriesANewRouteAtOnce) {
   const Problem problem = problem_of({-50, 0, 0}, {50, 0, 0}, {box(-5, -10, 5, 30)});
   const Task task = task_of(problem, {}, Steering::reeds_shepp);
   Bender bender(task, priced, 1);
-  bender.offer(path_of(route_by_way_of(task, LocalPose({0, 40, 0}))).segments);
+  bender.offer_path(path_of(route_by_way_of(task, LocalPose({0, 40, 0}))).segments);
   EXPECT_TRUE(bender.step());
-  bender.offer(path_of(route_by_way_of(task, LocalPose({0, 41, 0}))).segments);
+  bender.offer_path(path_of(route_by_way_of(task, LocalPose({0, 41, 0}))).segments);
   EXPECT_FALSE(bender.step());
   const double dear = bender.cost();
-  bender.offer(path_of(route_by_way_of(task, LocalPose({0, -20, 0}))).segments);
+  bender.offer_path(path_of(route_by_way_of(task, LocalPose({0, -20, 0}))).segments);
   EXPECT_TRUE(bender.step());
   EXPECT_LT(bender.cost(), 0.9 * dear);
 }
@@ -492,7 +491,7 @@ TEST(Bending, SavesWhatTheMeasureOfDrivesSays) {
   anytime::CheapestDrive words(task, priced, 1, of_route);
   anytime::CheapestDrive drives(task, priced, 1, of_route, of_drive);
   for (anytime::CheapestDrive* drive : {&words, &drives}) {
-    EXPECT_TRUE(drive->offer(word_route(task)));
+    EXPECT_TRUE(drive->take(word_route(task)));
     for (int i = 0; i < 1500; ++i) {
       const double cost = drive->cost();
       const bool fell = drive->step();

@@ -249,12 +249,12 @@ TEST(LegBounds, TakeWhatIsProvenOfALeg) {
   const planning::Pricing pricing(problem.task(), shortest_style);
   planning::LegBounds bounds(problem.task(), pricing, some_work);
   EXPECT_NEAR(bounds.least(), 40, 0.05);
-  bounds.raise(1, {20, 0, 0}, {40, 0, 0}, {.around = 50});
+  bounds.raise(1, {20, 0, 0}, {40, 0, 0}, {.shortest = 50});
   EXPECT_NEAR(bounds.least(), 70, 0.05);
-  bounds.raise(0, {0, 0, 0}, {20, 0, 0}, {.turning = 60});
+  bounds.raise(0, {0, 0, 0}, {20, 0, 0}, {.shortest_turn = 60});
   EXPECT_NEAR(bounds.least(), 110, 0.05);
-  bounds.raise(0, {0, 0, 0}, {20, 0, 1}, {.turning = 1000});  // another pose
-  bounds.raise(0, {0, 0, 0}, {20, 1, 0}, {.around = 1000});
+  bounds.raise(0, {0, 0, 0}, {20, 0, 1}, {.shortest_turn = 1000});  // another pose
+  bounds.raise(0, {0, 0, 0}, {20, 1, 0}, {.shortest = 1000});
   EXPECT_NEAR(bounds.least(), 110, 0.05);
 }
 
@@ -265,7 +265,7 @@ TEST(LegBounds, TakeWhatIsProvenOfAPlace) {
   for (const std::int64_t work : {std::int64_t{0}, some_work}) {
     planning::LegBounds bounds(problem.task(), pricing, work);
     EXPECT_NEAR(bounds.least(), 40, 0.05);
-    bounds.raise(0, {0, 0, 0}, {20, 0, 3}, {.around = 30, .turning = 1000});
+    bounds.raise(0, {0, 0, 0}, {20, 0, 3}, {.shortest = 30, .shortest_turn = 1000});
     EXPECT_NEAR(bounds.least(), 50, 0.05);
   }
   Vehicle truck;
@@ -274,7 +274,7 @@ TEST(LegBounds, TakeWhatIsProvenOfAPlace) {
       with_via(problem_in({.bounds = {-90, 90, -90, 90}}, {}, {40, 0, 0}, truck), problem.via());
   const planning::Pricing of_truck(problem.task(), shortest_style);
   planning::LegBounds bounds(problem.task(), of_truck, some_work);
-  bounds.raise(0, {0, 0, 0}, {20, 0, 3}, {.around = 30});
+  bounds.raise(0, {0, 0, 0}, {20, 0, 3}, {.shortest = 30});
   EXPECT_NEAR(bounds.least(), 40, 0.05);
 }
 

@@ -27,21 +27,35 @@ Bender::Bender(const Task& task, const CostRule& rule, std::uint64_t seed, Measu
       closer_(task.vehicle, task.steering),
       seed_(seed),
       measure_(std::move(measure)),
-      follower_(task, ends_, closer_, stream_seed(seed, 1000)) {}
+      follower_(task, ends_, closer_, stream_seed(seed, 1000)),
+      known_cost_(std::numeric_limits<double>::infinity()),
+      told_cost_(known_cost_) {}
 
 void Bender::offer(const Route& route) {
+  has_begun_ = true;
   if (!kinds_.is_new(route, task_.vehicle.min_turning_radius)) return;
-  wait({path_of(route).segments, route.cost});
+  wait({.commands = {}, .segments = path_of(route).segments, .route = {}, .cost = route.cost});
 }
 
-void Bender::offer(std::vector<Segment> segments) {
-  wait({std::move(segments), std::numeric_limits<double>::infinity()});
+void Bender::offer_path(std::vector<Segment> segments) {
+  has_begun_ = true;
+  wait({.commands = {},
+        .segments = std::move(segments),
+        .route = {},
+        .cost = std::numeric_limits<double>::infinity()});
+}
+
+std::optional<Drive> Bender::begin_with(const Path& known) {
+  offer_path(known.segments);
+  if (!step()) return std::nullopt;
+  known_cost_ = cost();
+  return best();
 }
 
 /// Lets a route wait so that the cheapest is next: following a dear one may take long and be in
 /// vain.
-void Bender::wait(Waiting route) {
-  const auto is_dearer = [](const Waiting& a, const Waiting& b) { return a.cost > b.cost; };
+void Bender::wait(Drive route) {
+  const auto is_dearer = [](const Drive& a, const Drive& b) { return a.cost > b.cost; };
   waiting_.insert(std::ranges::upper_bound(waiting_, route, is_dearer), std::move(route));
   if (waiting_.size() > max_waiting) waiting_.erase(waiting_.begin());
 }
@@ -96,7 +110,7 @@ void Bender::add(std::span<const commands::Command> drive) {
 
 /// Makes a drive of the next waiting route. True if it is cheaper than the best drive.
 bool Bender::begin() {
-  const Waiting route = std::move(waiting_.back());
+  const Drive route = std::move(waiting_.back());
   waiting_.pop_back();
   if (drive_along(route.segments)) return challenge(challengers_.size() - 1);
   // Following is not worth it for a path that may be blocked, nor if the wheels turn at once.
@@ -140,6 +154,25 @@ bool Bender::step() {
   if (challenge(i)) return true;
   if (challenger.drive->is_stalled() || doubt(challenger) > hopeless_drive) drop(i);
   return false;
+}
+
+Found Bender::work(std::int64_t iterations, const Told& told, const Budget& budget) {
+  if (iterations > 0) has_begun_ = true;
+  if (told.best != nullptr) {
+    known_cost_ = std::min(known_cost_, told.best->cost);
+    if (has_begun_ && told.best->cost < told_cost_) {
+      told_cost_ = told.best->cost;
+      offer(*told.best);
+    }
+  }
+  const auto trial = [this]() -> std::optional<double> {
+    if (!step() || cost() >= known_cost_) return std::nullopt;
+    return known_cost_ = cost();
+  };
+  Found found = work_in_steps(
+      iterations, told.enough, budget, [this] { return has_work(); }, trial);
+  if (!found.improvements.empty()) found.drive = best();
+  return found;
 }
 
 }  // namespace vandplan::anytime

@@ -7,12 +7,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "planners/anytime/drive.h"
 #include "planners/anytime/follow.h"
 #include "planners/anytime/kinds.h"
+#include "planners/anytime/worker.h"
 #include "planners/commands/closer.h"
 #include "planners/commands/shorten_drive.h"
 #include "planners/commands/wheels.h"
@@ -24,7 +26,7 @@ using namespace search;
 
 /// Makes drives of routes, with commands of any curvature, and makes the cheapest drive cheaper.
 /// Trials alternate between that drive and its challengers.
-class Bender {
+class Bender final : public Worker {
  public:
   using Measure = commands::DriveShortener::Measure;
 
@@ -34,17 +36,23 @@ class Bender {
 
   /// Offers a route from the start of the task to its goal. A route that is like one offered before
   /// is ignored unless it is much cheaper.
-  void offer(const Route& route);
+  void offer(const Route& route) override;
   /// Offers a path that need not be free, and whose ends need not be exact.
-  void offer(std::vector<Segment> segments);
+  void offer_path(std::vector<Segment> segments);
+  /// Begins with a known path. Gives back the drive along it; none if none was found.
+  [[nodiscard]] std::optional<Drive> begin_with(const Path& known);
+
+  /// Whether more trials may bring anything: routes wait or may come, or a drive is not stalled.
+  [[nodiscard]] bool has_work() const override {
+    return !has_begun_ || is_following_ || !challengers_.empty() || !waiting_.empty() ||
+           (best_ && !best_->is_stalled());
+  }
+  [[nodiscard]] Found work(std::int64_t iterations, const Told& told,
+                           const Budget& budget) override;
+  [[nodiscard]] Counts counts() const override { return {0, checks()}; }
 
   /// One trial. True when the cheapest drive got cheaper.
   bool step();
-  /// Whether more trials may bring anything: routes wait, or a drive is not stalled.
-  [[nodiscard]] bool has_work() const {
-    return is_following_ || !challengers_.empty() || !waiting_.empty() ||
-           (best_ && !best_->is_stalled());
-  }
 
   /// The cheapest drive so far. Requires that `step` was true once.
   [[nodiscard]] Drive best() const {
@@ -61,13 +69,7 @@ class Bender {
     std::int64_t trials = 0;  // trials spent on the drive
   };
 
-  /// Route that was not tried yet.
-  struct Waiting {
-    std::vector<Segment> segments;
-    double cost;  // cost of the route [m]; infinity for an offered path
-  };
-
-  void wait(Waiting route);
+  void wait(Drive route);
   [[nodiscard]] bool drive_along(std::span<const Segment> segments);
   void add(std::span<const commands::Command> drive);
   bool begin();
@@ -84,9 +86,10 @@ class Bender {
   commands::Closer closer_;
   std::uint64_t seed_;
   Measure measure_;
-  std::uint64_t drives_ = 0;      // drives so far; numbers their seeds
-  Kinds kinds_;                   // kinds of the routes that were offered
-  std::vector<Waiting> waiting_;  // routes by falling cost; of equal ones the newest last
+  std::uint64_t drives_ = 0;  // drives so far; numbers their seeds
+  Kinds kinds_;               // kinds of the routes that were offered
+  /// Routes by falling cost; of equal ones the newest last. The cost of a known path is infinite.
+  std::vector<Drive> waiting_;
   std::unique_ptr<commands::DriveShortener> best_;
   std::vector<Challenger> challengers_;
   std::int64_t checks_ = 0;  // checks of drives that were dropped
@@ -94,6 +97,9 @@ class Bender {
   bool is_following_ = false;
   double followed_cost_ = 0.0;  // cost of the route that is being followed [m]
   bool is_turn_of_best_ = false;
+  bool has_begun_ = false;  // whether there was an offer or an iteration
+  double known_cost_;       // least cost of all routes and drives that the worker knows
+  double told_cost_;        // cost of the best route that the worker was told
 };
 
 }  // namespace vandplan::anytime

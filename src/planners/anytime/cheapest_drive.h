@@ -11,12 +11,13 @@
 
 #include "planners/anytime/bend.h"
 #include "planners/anytime/shorten.h"
+#include "planners/anytime/worker.h"
 #include "search/route.h"
 
 namespace vandplan::anytime {
 
 /// Keeps the cheapest route by a measure of the whole drive, and makes it cheaper by random trials.
-class CheapestDrive {
+class CheapestDrive final : public Worker {
  public:
   using Measure = std::function<double(const Route&)>;
 
@@ -25,20 +26,24 @@ class CheapestDrive {
   CheapestDrive(const Task& task, const CostRule& rule, std::uint64_t seed, Measure measure,
                 const Bender::Measure& measure_of_drive = {});
 
+  [[nodiscard]] bool has_work() const override { return true; }
+  [[nodiscard]] Found work(std::int64_t iterations, const Told& told,
+                           const Budget& budget) override;
+  /// Keeps a route for the next round, where it comes after the best route.
+  void offer(const Route& route) override { offers_.push_back(route); }
+  [[nodiscard]] Counts counts() const override;
+
   /// Takes a route over if it is cheaper than the one so far. A route that is a little dearer is
   /// kept and shortened later. True if the cheapest drive got cheaper.
-  bool offer(Route route);
+  bool take(Route route);
 
   /// One trial to make the drive cheaper by the measure. True if the cheapest drive got cheaper.
   bool step();
 
-  [[nodiscard]] const std::optional<Route>& route() const { return route_; }
   /// Segments of the cheapest drive: along the route, or bent if that is cheaper.
   [[nodiscard]] std::vector<Segment> segments() const;
   /// Cost of the cheapest drive by the measure; infinity while there is no route.
   [[nodiscard]] double cost() const { return std::min(cost_, bent_cost_); }
-  [[nodiscard]] std::int64_t solves() const;
-  [[nodiscard]] std::int64_t checks() const;
 
  private:
   void begin();
@@ -58,6 +63,7 @@ class CheapestDrive {
   std::size_t best_bender_ = 0;   // index of the bender with the cheapest bent drive
   double bent_cost_;              // cost of the cheapest bent drive
   int steps_ = 0;                 // trials so far
+  std::vector<Route> offers_;     // routes for the next round
   std::optional<Shortener> shortener_;
   std::vector<Route> challengers_;  // dearer routes that may become the cheapest, the newest last
   bool is_challenger_ = false;      // whether the shortener works on a challenger

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "planners/anytime/bend_worker.h"
+#include "planners/anytime/bend.h"
 #include "planners/anytime/chain.h"
-#include "planners/anytime/cheapest_drive_worker.h"
+#include "planners/anytime/cheapest_drive.h"
 #include "planners/anytime/detours.h"
 #include "planners/anytime/proposals.h"
 #include "planners/anytime/provers.h"
@@ -100,14 +100,14 @@ class Composer {
   std::span<const NamedSource> sources_;
   std::unique_ptr<const planning::Pricing> pricing_;
   const CostRule& rule_;
-  bool is_far_;                       // whether the task goes over a whole site
-  Scope scope_;                       // part of a route that shortening may change
-  bool bends_;                        // whether bending may make routes cheaper
-  bool has_gap_;                      // whether a gap is to be proven
-  bool is_warm_ = false;              // whether the run begins with a route along a known path
-  bool has_site_way_ = false;         // whether that path is the way of a table
-  bool has_survey_ = false;           // whether a survey finds routes of other kinds
-  std::unique_ptr<BendWorker> bend_;  // bends routes; null if none are bent
+  bool is_far_;                   // whether the task goes over a whole site
+  Scope scope_;                   // part of a route that shortening may change
+  bool bends_;                    // whether bending may make routes cheaper
+  bool has_gap_;                  // whether a gap is to be proven
+  bool is_warm_ = false;          // whether the run begins with a route along a known path
+  bool has_site_way_ = false;     // whether that path is the way of a table
+  bool has_survey_ = false;       // whether a survey finds routes of other kinds
+  std::unique_ptr<Bender> bend_;  // bends routes; null if none are bent
   Portfolio portfolio_;
 };
 
@@ -129,7 +129,7 @@ Composer::Composer(const Task& task, const PlanOptions& options, double time_pri
                  .slots = {},
                  .gap = options.budget.target_gap,
                  .routes_are_answers = !pricing_->counts_time()} {
-  if (bends_) bend_ = std::make_unique<BendWorker>(task, rule_, seed(stream::bend));
+  if (bends_) bend_ = std::make_unique<Bender>(task, rule_, stream_seed(seed(stream::bend), 0));
   portfolio_.routes = open_ways(task, rule_);  // [1]
   if (given.known != nullptr) {
     take_known(*given.known);
@@ -295,9 +295,12 @@ void Composer::add_zone_prover() {
 
 // [7b] Adds the worker that judges routes by the whole drive.
 void Composer::add_cheapest_drive() {
+  const auto cost = [&pricing = *pricing_](const Route& route) { return pricing.cost(route); };
+  // The clearance of bent drives has no price.
+  const Bender::Measure cost_of_bent = pricing_->is_time() ? pricing_->measure() : nullptr;
   Slot& slot = add("cheapest drive",
-                   std::make_unique<CheapestDriveWorker>(task_, *pricing_, pricing_->is_time(),
-                                                         seed(stream::cheapest_drive)),
+                   std::make_unique<CheapestDrive>(task_, rule_, seed(stream::cheapest_drive), cost,
+                                                   cost_of_bent),
                    [](const Progress& now) {
                      return growing_share(shares::cheapest_drive, now.rounds_with_route);
                    });

@@ -15,10 +15,12 @@ constexpr double of_rig = 1e-9;  // rounding of the bound of a rig, relative
 }  // namespace
 
 CostBound::CostBound(const Task& task, const planning::Pricing& pricing)
-    : pricing_(pricing), ground_(open_ground(task, pricing.rule())) {
-  if (!task.vehicle.trailer) return;
-  rig_ = Rig{.judged = rig::cost_lower_bound(task, pricing),
-             .exact = rig::cost_lower_bound(task, pricing, rig::Ends::exact)};
+    : pricing_(pricing),
+      ground_(open_ground(task, pricing.rule())),
+      is_rig_(task.vehicle.trailer.has_value()) {
+  if (!is_rig_) return;
+  judged_of_rig_ = rig::cost_lower_bound(task, pricing);
+  exact_of_rig_ = rig::cost_lower_bound(task, pricing, rig::Ends::exact);
 }
 
 double CostBound::least(const Proven& proven) const {
@@ -26,7 +28,7 @@ double CostBound::least(const Proven& proven) const {
 }
 
 double CostBound::by_lengths(const Proven& proven) const {
-  if (rig_) return rig_->judged * (1 - of_rig);
+  if (is_rig_) return judged_of_rig_ * (1 - of_rig);
   const search::CostRule& rule = pricing_.rule();
   // Ends within the judge's tolerance make the way around obstacles shorter by at most this much.
   const double off = rule.is_length() ? 0.0 : 2 * steering::judged.position;
@@ -38,7 +40,7 @@ double CostBound::by_lengths(const Proven& proven) const {
 }
 
 bool CostBound::is_optimal(double cost, const Proven& proven) const {
-  if (rig_) return cost <= std::max(rig_->judged, rig_->exact * (1 + of_rig));
+  if (is_rig_) return cost <= std::max(judged_of_rig_, exact_of_rig_ * (1 + of_rig));
   constexpr double of_time = 1e-12;  // rounding of a time, relative
   constexpr double of_both = 1e-6;   // slack of prices plus time, relative: ends may be off as much
   if (pricing_.counts_time()) {

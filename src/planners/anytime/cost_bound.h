@@ -3,8 +3,6 @@
 #pragma once
 // Which cost can no path fall below?
 
-#include <optional>
-
 #include "planners/anytime/open_ground.h"
 #include "planners/anytime/worker.h"
 #include "planners/pricing.h"
@@ -25,17 +23,13 @@ class CostBound {
   [[nodiscard]] double shortest() const { return ground_.shortest; }
 
  private:
-  /// Lower bounds of the cost of a rig.
-  struct Rig {
-    double judged = 0.0;  // lower bound for drives that the judge accepts
-    double exact = 0.0;   // lower bound for drives with exact ends
-  };
-
   [[nodiscard]] double by_lengths(const Proven& proven) const;
 
   const planning::Pricing& pricing_;
   OpenGround ground_;
-  std::optional<Rig> rig_;  // none for a vehicle without a trailer
+  bool is_rig_;                 // whether the vehicle has a trailer
+  double judged_of_rig_ = 0.0;  // lower bound for drives of a rig that the judge accepts
+  double exact_of_rig_ = 0.0;   // lower bound for drives of a rig with exact ends
 };
 
 }  // namespace vandplan::anytime

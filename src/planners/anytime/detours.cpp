@@ -54,8 +54,12 @@ void Detours::set_route(const Route& route) {
   if (guide_) end();
 }
 
-std::int64_t Detours::solves() const { return solves_ + (connector_ ? connector_->solves() : 0); }
-std::int64_t Detours::checks() const { return checks_ + (connector_ ? connector_->checks() : 0); }
+Counts Detours::counts() const {
+  Counts counts = former_;
+  if (connector_) counts += counts_of(*connector_);
+  if (lattice_) counts.nodes = lattice_->size();
+  return counts;
+}
 
 // Chooses a random stretch. Short and long stretches are equally frequent; those at the ends of the
 // route are more frequent.
@@ -110,8 +114,7 @@ void Detours::make_guide(const LocalPose& root, const LocalPose& target) {
 }
 
 void Detours::end() {
-  solves_ += connector_->solves();
-  checks_ += connector_->checks();
+  former_ += counts_of(*connector_);
   patch_.reset();
   lattice_.reset();
   guide_.reset();

@@ -33,9 +33,7 @@ class Detours final : public Source {
   [[nodiscard]] bool step() override;
 
   [[nodiscard]] Route route() const override { return found_; }
-  [[nodiscard]] std::int64_t solves() const override;
-  [[nodiscard]] std::int64_t checks() const override;
-  [[nodiscard]] std::size_t size() const override { return lattice_ ? lattice_->size() : 0; }
+  [[nodiscard]] Counts counts() const override;
 
  private:
   void choose();
@@ -65,8 +63,7 @@ class Detours final : public Source {
   std::optional<Shortener> patch_;  // shortens a result of the search
   int trials_ = 0;                  // trials of shortening it
   Route found_;
-  std::int64_t solves_ = 0;  // steering calls of earlier searches
-  std::int64_t checks_ = 0;  // edge checks of earlier searches
+  Counts former_;  // counts of earlier searches
 };
 
 }  // namespace vandplan::anytime

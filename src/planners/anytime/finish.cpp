@@ -174,35 +174,33 @@ search::Route Finisher::with_fewer_changes(const search::Route& best, double sho
   return tidied.cost <= shortest * (1 + 1e-9) ? tidied : best;
 }
 
-std::vector<Segment> Finisher::raw(const Best& best) const {
-  if (best.drive == nullptr) return path_of(*best.route).segments;
-  if (!best.drive->segments.empty()) return best.drive->segments;
-  commands::DriveShortener drive(task_, pricing_.rule(), best.drive->commands, 0);
+std::vector<Segment> Finisher::raw(const Drive& best) const {
+  if (best.commands.empty() || !best.segments.empty()) return best.segments;
+  commands::DriveShortener drive(task_, pricing_.rule(), best.commands, 0);
   if (rules_.is_continuous) drive.drop_crumbs();
   return drive.segments();
 }
 
-std::optional<Drive> Finisher::drivable(const Best& best, const std::vector<Segment>& raw) const {
+std::optional<Drive> Finisher::drivable(const Drive& best, const std::vector<Segment>& raw,
+                                        bool is_optimal) const {
   if (rules_.is_finished) {
     if (rules_.stroke == 0.0) return std::nullopt;
-    const double cost = best.drive->cost - planning::price_of_lack(raw, rules_.stroke);
+    const double cost = best.cost - planning::price_of_lack(raw, rules_.stroke);
     return Drive{.commands = {}, .segments = raw, .route = {}, .cost = cost};
   }
-  const bool is_bent = best.drive != nullptr && !best.drive->commands.empty();
+  const bool is_bent = !best.commands.empty();
   const double stroke = rules_.stroke;
   const CostRule& rule = pricing_.rule();
   if (stroke == 0.0 && !is_bent && !has_prices()) return std::nullopt;
   Connector connector(task_, rule);
   Drive drivable{.commands = {}, .segments = raw, .route = {}, .cost = 0.0};
   if (stroke > 0.0) {
-    const Route& route =
-        best.drive != nullptr && best.drive->route ? *best.drive->route : *best.route;
-    const bool is_along = path_of(route).segments == raw;
-    const Route legs = is_along ? route : legs_along({task_.start, raw}, task_.goal);
+    const bool is_along = best.route && path_of(*best.route).segments == raw;
+    const Route legs = is_along ? *best.route : legs_along({task_.start, raw}, task_.goal);
     const DrivenBeside beside = driven_at_ends(task_, rule.initial_gear);
     drivable.segments = path_of(with_strokes(connector, beside, legs, stroke)).segments;
   }
-  if (!rules_.is_continuous || (has_prices() && !best.is_optimal)) {
+  if (!rules_.is_continuous || (has_prices() && !is_optimal)) {
     std::vector<Segment> neat = tidied(connector, task_.start, drivable.segments);
     const auto lack = [&](std::span<const Segment> s) {
       return planning::price_of_lack(s, stroke);
@@ -215,10 +213,11 @@ std::optional<Drive> Finisher::drivable(const Best& best, const std::vector<Segm
   return drivable;
 }
 
-std::optional<Drive> Finisher::finished(const Best& best, const std::vector<Segment>& raw) const {
-  std::optional<Drive> neat = drivable(best, raw);
+std::optional<Drive> Finisher::finished(const Drive& best, const std::vector<Segment>& raw,
+                                        bool is_optimal) const {
+  std::optional<Drive> neat = drivable(best, raw, is_optimal);
   if (!neat || !rules_.slack) return neat;
-  return neat->cost > best.drive->cost * (1 + *rules_.slack) ? std::nullopt : std::move(neat);
+  return neat->cost > best.cost * (1 + *rules_.slack) ? std::nullopt : std::move(neat);
 }
 
 }  // namespace vandplan::anytime

@@ -21,13 +21,6 @@ namespace vandplan::anytime {
 [[nodiscard]] std::vector<Segment> tidied(search::Connector& connector, const LocalPose& start,
                                           std::vector<Segment> segments);
 
-/// Best route and best drive of a run.
-struct Best {
-  const search::Route* route = nullptr;  ///< cheapest route
-  const Drive* drive = nullptr;  ///< drive that is cheaper than the route; null if there is none
-  bool is_optimal = false;       ///< whether it is proven that no drive costs less
-};
-
 /// Rules for a finished drive besides its cost.
 struct FinishRules {
   double min_stroke = 0.0;  ///< least stroke that the options ask for [m]
@@ -52,14 +45,15 @@ class Finisher {
   /// are many shortest paths for turning on the spot. `shortest`: length of the shortest path [m].
   [[nodiscard]] search::Route with_fewer_changes(const search::Route& best, double shortest,
                                                  std::uint64_t seed, search::Budget& budget) const;
-  /// Segments of the best drive, or else of the best route, before tidying.
-  [[nodiscard]] std::vector<Segment> raw(const Best& best) const;
+  /// Segments of the best drive before tidying.
+  [[nodiscard]] std::vector<Segment> raw(const Drive& best) const;
   /// The raw segments tidied; none where they stay as they are, such as those of a shortest path.
-  [[nodiscard]] std::optional<Drive> drivable(const Best& best,
-                                              const std::vector<Segment>& raw) const;
+  /// `is_optimal`: whether it is proven that no drive costs less.
+  [[nodiscard]] std::optional<Drive> drivable(const Drive& best, const std::vector<Segment>& raw,
+                                              bool is_optimal) const;
   /// The drive of `drivable`; none if it exceeds the best drive's cost by more than `slack` allows.
-  [[nodiscard]] std::optional<Drive> finished(const Best& best,
-                                              const std::vector<Segment>& raw) const;
+  [[nodiscard]] std::optional<Drive> finished(const Drive& best, const std::vector<Segment>& raw,
+                                              bool is_optimal) const;
   [[nodiscard]] double min_stroke() const { return rules_.min_stroke; }
 
  private:

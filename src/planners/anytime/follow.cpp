@@ -21,7 +21,6 @@ constexpr std::size_t max_stages_back = 3;
 constexpr std::size_t max_cuts_ahead = 4;  // cuts ahead where a part may end
 constexpr int max_idle_trials = 100;       // trials without a gain that end shaking
 constexpr std::size_t max_beside = 4;  // commands on either side of a blocked one that are changed
-constexpr double never = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -68,7 +67,7 @@ void Follower::follow(std::span<const Segment> way) {
   next_ = 0;
   tried_ = 0;
   nearly_.reset();
-  left_ = never;
+  left_ = std::numeric_limits<double>::infinity();
   idle_ = 0;
 }
 
@@ -127,7 +126,7 @@ bool Follower::go_on() {
     Part part{stages_[stages_.size() - back], to, {}, 0.0};
     if (!lead(part)) continue;
     part.blocked = blocked(part.commands, part.from.pose, part.from.driven,
-                           nearly_ ? nearly_->blocked : never);
+                           nearly_ ? nearly_->blocked : std::numeric_limits<double>::infinity());
     if (part.blocked == 0.0) {
       take(part);
       return true;
@@ -140,7 +139,7 @@ bool Follower::go_on() {
 /// Computes poses and blocked lengths of the commands [first, last).
 void Follower::measure(std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
-    blocked_[i] = blocked(std::span(drive_).subspan(i, 1), poses_[i], driven_[i], never);
+    blocked_[i] = blocked(std::span(drive_).subspan(i, 1), poses_[i], driven_[i]);
     Driven driven = driven_[i];
     LocalPose pose = poses_[i];
     const commands::Obeyed obeyed = wheels_.obey(drive_[i], driven);
@@ -153,8 +152,8 @@ void Follower::measure(std::size_t first, std::size_t last) {
   left_ = std::accumulate(blocked_.begin(), blocked_.end(), 0.0);
 }
 
-/// A random range of commands around a blocked one.
-Follower::Window Follower::any_window() {
+/// A random range [first, last) of commands around a blocked one.
+std::pair<std::size_t, std::size_t> Follower::any_window() {
   std::size_t middle = rng_() % drive_.size();
   while (blocked_[middle] == 0.0) middle = (middle + 1) % drive_.size();
   const std::size_t before = 1 + rng_() % max_beside;

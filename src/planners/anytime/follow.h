@@ -6,8 +6,10 @@
 // Method: docs/algorithms/anytime.md, "Following".
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "planners/commands/closer.h"
@@ -56,19 +58,15 @@ class Follower {
     double blocked = 0.0;  // length of the blocked segments [m]
   };
 
-  /// Range of commands of the drive.
-  struct Window {
-    std::size_t first, last;  // the commands [first, last)
-  };
-
   void cut(std::span<const Segment> way);
   bool go_on();
   [[nodiscard]] bool lead(Part& part);
   void take(const Part& part);
   void measure(std::size_t first, std::size_t last);
-  [[nodiscard]] Window any_window();
+  [[nodiscard]] std::pair<std::size_t, std::size_t> any_window();
   [[nodiscard]] double blocked(std::span<const commands::Command> commands, LocalPose pose,
-                               search::Driven driven, double most);
+                               search::Driven driven,
+                               double most = std::numeric_limits<double>::infinity());
   void shake();
 
   const Task& task_;

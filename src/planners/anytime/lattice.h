@@ -51,7 +51,7 @@ class Lattice {
   /// Ignores routes that do not cost less than `cost` from now on.
   void set_cutoff(double cost) { cutoff_ = std::min(cutoff_, cost); }
   [[nodiscard]] const Route& route() const { return route_; }
-  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+  [[nodiscard]] std::int64_t size() const { return static_cast<std::int64_t>(nodes_.size()); }
 
  private:
   /// Pose that was reached, with its step from the parent.

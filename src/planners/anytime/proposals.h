@@ -22,8 +22,7 @@ class Proposals final : public Source {
   [[nodiscard]] search::Route route() const override { return found_; }
   [[nodiscard]] bool has_work() const override { return paths_->has_work(); }
   void set_route(const search::Route& best) override;
-  [[nodiscard]] std::int64_t solves() const override { return connector_.solves(); }
-  [[nodiscard]] std::int64_t checks() const override { return connector_.checks(); }
+  [[nodiscard]] Counts counts() const override { return counts_of(connector_); }
 
  private:
   const Task& task_;

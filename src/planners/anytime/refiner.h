@@ -20,9 +20,7 @@ class Refiner final : public Worker {
   [[nodiscard]] bool has_work() const override { return true; }
   [[nodiscard]] Found work(std::int64_t iterations, const Told& told,
                            const Budget& budget) override;
-  [[nodiscard]] Counts counts() const override {
-    return {connector_.solves(), connector_.checks()};
-  }
+  [[nodiscard]] Counts counts() const override { return counts_of(connector_); }
 
  private:
   Connector connector_;

@@ -29,7 +29,7 @@ constexpr std::array<Style, 10> styles = {{{{12, 0.5, 2.0}, 1.0, 1.15},
 constexpr std::size_t first_joined = 6;      // styles that take turns from the beginning
 constexpr std::int64_t first_turn = 256;     // expansions of a first turn
 constexpr std::int64_t first_of_all = 1024;  // expansions of the coarsest search's first turn
-constexpr std::size_t max_nodes = 100'000;   // nodes of one search
+constexpr std::int64_t max_nodes = 100'000;  // nodes of one search
 
 /// The rule with another price of gear changes, as in `Style`.
 CostRule priced(CostRule rule, double price) {
@@ -100,21 +100,12 @@ bool Rotation::step(double cutoff) {
 
 const Route& Rotation::route() const { return searches_[current_]->lattice->route(); }
 
-std::int64_t Rotation::solves() const {
-  std::int64_t sum = 0;
-  for (const auto& search : searches_) sum += search->connector.solves();
-  return sum;
-}
-
-std::int64_t Rotation::checks() const {
-  std::int64_t sum = 0;
-  for (const auto& search : searches_) sum += search->connector.checks();
-  return sum;
-}
-
-std::size_t Rotation::size() const {
-  std::size_t sum = 0;
-  for (const auto& search : searches_) sum += search->lattice ? search->lattice->size() : 0;
+Counts Rotation::counts() const {
+  Counts sum;
+  for (const auto& search : searches_) {
+    sum += counts_of(search->connector);
+    if (search->lattice) sum.nodes += search->lattice->size();
+  }
   return sum;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "planners/anytime/lattice.h"
+#include "planners/anytime/worker.h"
 
 namespace vandplan::anytime {
 
@@ -31,9 +32,7 @@ class Rotation {
   [[nodiscard]] const Route& route() const;
   /// Whether all searches have ended.
   [[nodiscard]] bool is_finished() const { return finished_; }
-  [[nodiscard]] std::int64_t solves() const;
-  [[nodiscard]] std::int64_t checks() const;
-  [[nodiscard]] std::size_t size() const;
+  [[nodiscard]] Counts counts() const;
 
  private:
   /// One of the searches.

@@ -63,10 +63,13 @@ Told Run::told(const Slot& slot, double enough_cost) const {
           .enough = may_be_enough ? enough_cost : 0.0};
 }
 
-Best Run::best() const {
-  const bool is_drive =
-      drive_ && (!route_ || !portfolio_.routes_are_answers || drive_->cost < route_->cost);
-  return {route_ ? &*route_ : nullptr, is_drive ? &*drive_ : nullptr, is_optimal()};
+// The best drive, or else the drive along the best route.
+Drive Run::best() const {
+  if (drive_ && (!route_ || !portfolio_.routes_are_answers || drive_->cost < route_->cost)) {
+    return *drive_;
+  }
+  return {
+      .commands = {}, .segments = path_of(*route_).segments, .route = route_, .cost = route_->cost};
 }
 
 // Cost of the best answer before tidying.
@@ -108,10 +111,11 @@ bool Run::is_good_enough() {
   if (found > enough()) return false;
   if (portfolio_.finisher.min_stroke() == 0.0) return true;
   if (found != cost_before_strokes_) {
-    const Best best_found = best();
-    const std::vector<Segment> raw = portfolio_.finisher.raw(best_found);
+    const Drive best_found = best();
     cost_before_strokes_ = found;
-    cost_with_strokes_ = portfolio_.finisher.drivable(best_found, raw)->cost;
+    cost_with_strokes_ =
+        portfolio_.finisher.drivable(best_found, portfolio_.finisher.raw(best_found), is_optimal())
+            ->cost;
   }
   return cost_with_strokes_ <= enough();
 }
@@ -239,12 +243,12 @@ bool Run::advance(std::int64_t most) {
 
 void Run::make_drivable() {
   if (!has_path()) return;
-  const Best best_found = best();
+  const Drive best_found = best();
   std::vector<Segment> raw = portfolio_.finisher.raw(best_found);
   if (raw == raw_) return;  // the answer has not changed
   raw_ = raw;
   segments_ = std::move(raw);
-  std::optional<Drive> neat = portfolio_.finisher.finished(best_found, segments_);
+  std::optional<Drive> neat = portfolio_.finisher.finished(best_found, segments_, is_optimal());
   if (!neat) return;
   segments_ = std::move(neat->segments);
   if (!portfolio_.routes_are_answers) return;
@@ -269,12 +273,7 @@ PlannerAnswer Run::answer() {
   answer.anytime = trace_;
   answer.lower_bound = portfolio_.bound.least(proven());
   Counts sum;
-  for (const Slot& slot : portfolio_.slots) {
-    const Counts counts = slot.worker->counts();
-    sum.solves += counts.solves;
-    sum.checks += counts.checks;
-    sum.nodes += counts.nodes;
-  }
+  for (const Slot& slot : portfolio_.slots) sum += slot.worker->counts();
   answer.counters = {
       {"nodes", sum.nodes}, {"exact_solves", sum.solves}, {"edge_checks", sum.checks}};
   if (answer.segments) {
@@ -293,13 +292,6 @@ PlannerAnswer Run::answer() {
   }
   answer.status = end_.value_or(PlanStatus::iteration_limit);  // the run has only paused
   return answer;
-}
-
-planning::LeastLength Run::least_length() const {
-  const Proven all = proven();
-  const double endless = std::numeric_limits<double>::infinity();
-  if (!all.walled_in.empty()) return {endless, endless};
-  return {all.shortest, all.shortest_turn, all.added, all.in_zones};
 }
 
 }  // namespace vandplan::anytime

@@ -33,17 +33,16 @@ class Run final : public planning::PathSearch {
   [[nodiscard]] std::int64_t iterations() const override { return budget_.iterations(); }
   [[nodiscard]] std::optional<std::vector<Segment>> path() override;
   [[nodiscard]] PlannerAnswer answer() override;
-  [[nodiscard]] planning::LeastLength least_length() const override;
+  [[nodiscard]] Proven proven() const override;
 
  private:
   [[nodiscard]] std::int64_t left(std::int64_t wanted, std::int64_t promised) const;
   [[nodiscard]] Progress progress() const;
   [[nodiscard]] Told told(const Slot& slot, double enough_cost) const;
-  [[nodiscard]] Best best() const;
+  [[nodiscard]] Drive best() const;
   [[nodiscard]] bool has_path() const { return route_ || drive_; }
   [[nodiscard]] double cost() const;
   [[nodiscard]] double cost_of_search() const;
-  [[nodiscard]] Proven proven() const;
   [[nodiscard]] double enough() const;
   [[nodiscard]] bool is_optimal() const;
   [[nodiscard]] bool is_good_enough();

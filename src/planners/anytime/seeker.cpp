@@ -35,11 +35,8 @@ void Seeker::offer(const Route& route) {
 }
 
 Counts Seeker::counts() const {
-  Counts counts{connector_.solves(), connector_.checks()};
-  if (!source_) return counts;
-  counts.solves += source_->solves();
-  counts.checks += source_->checks();
-  counts.nodes = static_cast<std::int64_t>(source_->size());
+  Counts counts = counts_of(connector_);
+  if (source_) counts += source_->counts();
   return counts;
 }
 

@@ -42,14 +42,14 @@ Shortener::Shortener(Connector& connector, Route route, std::uint64_t seed, Scop
       route_(std::move(route)),
       beside_(beside.value_or(
           DrivenBeside{connector.rule().initial_gear, connector.rule().final_gear})),
-      window_{0, route_.legs.size()},
+      last_(route_.legs.size()),
       visit_cost_(route_.cost),
       rng_(seed),
       progress_cost_(route_.cost) {
   if (scope == Scope::all || route_.legs.size() <= 2 * legs_of_window) return;
   // The first window is anywhere. Otherwise each shortener that takes a route over would begin with
   // the same legs.
-  window_.first = window_.last = rng_() % route_.legs.size();
+  first_ = last_ = rng_() % route_.legs.size();
   next_window();
 }
 
@@ -71,24 +71,24 @@ double Shortener::trials_for_one() const {
 // Half of the window stays, so that legs across its end come into the middle of the next window. At
 // an end of the route, windows turn back.
 void Shortener::move_window() {
-  const std::size_t half = window_.size() / 2;
-  const bool is_at_end = goes_back_ ? window_.first == 0 : window_.last == route_.legs.size();
+  const std::size_t half = legs_in_window() / 2;
+  const bool is_at_end = goes_back_ ? first_ == 0 : last_ == route_.legs.size();
   if (is_at_end) goes_back_ = !goes_back_;
   if (goes_back_) {
-    window_.last -= half;
+    last_ -= half;
   } else {
-    window_.first += half;
+    first_ += half;
   }
   next_window();
 }
 
 // Fills the window on the side to which windows move.
 void Shortener::next_window() {
-  const std::size_t more = legs_of_window - std::min(legs_of_window, window_.size());
+  const std::size_t more = legs_of_window - std::min(legs_of_window, legs_in_window());
   if (goes_back_) {
-    window_.first -= std::min(window_.first, more);
+    first_ -= std::min(first_, more);
   } else {
-    window_.last += std::min(route_.legs.size() - window_.last, more);
+    last_ += std::min(route_.legs.size() - last_, more);
   }
   visit_cost_ = route_.cost;
   visit_ = 0;
@@ -98,10 +98,10 @@ void Shortener::next_window() {
 
 Shortener::Place Shortener::random_place() {
   double length = 0.0;
-  for (std::size_t i = window_.first; i < window_.last; ++i) length += route_.legs[i].piece.length;
+  for (std::size_t i = first_; i < last_; ++i) length += route_.legs[i].piece.length;
   double s = uniform(0.0, length, rng_);
-  std::size_t leg = window_.first;
-  while (leg + 1 < window_.last && s > route_.legs[leg].piece.length) {
+  std::size_t leg = first_;
+  while (leg + 1 < last_ && s > route_.legs[leg].piece.length) {
     s -= route_.legs[leg++].piece.length;
   }
   const Piece& piece = route_.legs[leg].piece;
@@ -110,7 +110,7 @@ Shortener::Place Shortener::random_place() {
 }
 
 // Index of a leg of the window that is not its last one. The window has two legs or more.
-std::size_t Shortener::random_via() { return window_.first + rng_() % (window_.size() - 1); }
+std::size_t Shortener::random_via() { return first_ + rng_() % (legs_in_window() - 1); }
 
 LocalPose Shortener::pose_at(const Place& place) const {
   const Leg& leg = route_.legs[place.leg];
@@ -177,12 +177,12 @@ bool Shortener::replace(const Stretch& old, std::span<const Leg> fresh) {
         crumbs_of(route_, connector_.radius()) - crumbs_of(changed, connector_.radius());
     if (route_.cost - changed.cost + price_of_crumb * fewer_crumbs < least_gain) return false;
     route_ = std::move(changed);
-    window_.last = route_.legs.size();
+    last_ = route_.legs.size();
     return true;
   }
   const bool was_whole = is_whole();
   route_.replace(old.first, old.last, trial_);
-  window_.last += trial_.size() - (old.last - old.first);
+  last_ += trial_.size() - (old.last - old.first);
   if (was_whole) {
     route_.cost = cost_of(connector_.rule(), route_);
   } else {
@@ -217,7 +217,7 @@ bool Shortener::shortcut() {
 
 // Leaves a via pose out.
 bool Shortener::drop_via() {
-  if (window_.size() < 2) return false;
+  if (legs_in_window() < 2) return false;
   const std::size_t i = random_via();
   const LocalPose& to = route_.legs[i + 1].end;
   const Stretch old = stretch(i, i + 2);
@@ -253,7 +253,7 @@ bool Shortener::replace_by_way_of(const LocalPose& via, const Stretch& old, Gear
 
 // Moves a via pose, and steers to it from the pose before and from it to the pose after.
 bool Shortener::move_via() {
-  if (window_.size() < 2) return move_place();
+  if (legs_in_window() < 2) return move_place();
   const std::size_t i = random_via();
   const LocalPose via = perturbed(route_.legs[i].end);
   const GearSign before = last_driven(route_.legs[i].piece).gear;

@@ -57,14 +57,9 @@ class Shortener {
     double cost;
   };
 
-  /// Legs [first, last) of the route that trials may change.
-  struct Window {
-    std::size_t first;
-    std::size_t last;
-    [[nodiscard]] std::size_t size() const { return last - first; }
-  };
-
-  [[nodiscard]] bool is_whole() const { return window_.size() == route_.legs.size(); }
+  /// Number of legs that trials may change.
+  [[nodiscard]] std::size_t legs_in_window() const { return last_ - first_; }
+  [[nodiscard]] bool is_whole() const { return legs_in_window() == route_.legs.size(); }
   void move_window();
   void next_window();
   [[nodiscard]] std::size_t random_via();
@@ -85,7 +80,8 @@ class Shortener {
   std::function<double(const Route&)> measure_;
   Route route_;
   DrivenBeside beside_;  // driven before and after the route
-  Window window_;
+  /// Trials may change the legs [first_, last_), the window.
+  std::size_t first_ = 0, last_;
   bool goes_back_ = false;  // whether windows move from the goal to the start
   double visit_cost_;       // cost when a trial in this window last gained something
   int visit_ = 0;           // trials in this window

@@ -3,9 +3,7 @@
 #pragma once
 // Where do routes come from that nobody has shortened yet?
 
-#include <cstddef>
-#include <cstdint>
-
+#include "planners/anytime/worker.h"
 #include "search/route.h"
 
 namespace vandplan::anytime {
@@ -29,11 +27,7 @@ class Source {
   /// Tells the source of a route that another worker gave up.
   virtual void offer(const search::Route& /*route*/) {}
 
-  /// Calls of the steering function, and edge checks, so far.
-  [[nodiscard]] virtual std::int64_t solves() const = 0;
-  [[nodiscard]] virtual std::int64_t checks() const = 0;
-  /// Nodes of the current search.
-  [[nodiscard]] virtual std::size_t size() const { return 0; }
+  [[nodiscard]] virtual Counts counts() const = 0;
 };
 
 }  // namespace vandplan::anytime

@@ -21,7 +21,7 @@ constexpr std::array<LatticeOptions, 8> searches = {
     LatticeOptions{36, 0.17, 1.2},   LatticeOptions{48, 0.125, 2.0},
     LatticeOptions{96, 0.06, 2.0},   LatticeOptions{192, 0.03, 3.0},
     LatticeOptions{384, 0.015, 3.0}, LatticeOptions{768, 0.0075, 3.0}};
-constexpr std::size_t max_lattice_nodes = 300'000;  // nodes of one search: some 30 MB
+constexpr std::int64_t max_lattice_nodes = 300'000;  // nodes of one search: some 30 MB
 constexpr double first_guide_side = 1.0;  // side of the first guide's cells [vehicle widths]
 constexpr double fine_guide_side = 0.5;   // side of cells after the first search [vehicle widths]
 constexpr double last_guide_side = 0.25;  // side of the finest guide's cells [vehicle widths]
@@ -31,15 +31,12 @@ constexpr std::size_t last_coarse_level = 4;  // number of searches that count a
 constexpr int coarse_locks = 2;
 constexpr int fine_locks = 3;
 constexpr double far_shot = 40.0;  // cost-to-go beyond which exact paths are rare [turning radii]
-/// Search over a whole site, with its guide.
-struct FarSearch {
-  LatticeOptions lattice;
-  double greediness;  ///< of its guide, whose cells are as wide as the vehicle
-};
-/// The first search over a whole site is greedy. The others follow a shortest way of the grid.
-constexpr std::array far_searches = {FarSearch{{12, 0.5, 2.0, false, far_shot}, 1.25},
-                                     FarSearch{{12, 0.5, 2.0, false, far_shot}, 1.0},
-                                     FarSearch{{24, 0.25, 1.5, false, far_shot}, 1.0}};
+/// Searches over a whole site. The way on the grid that guides the first is greedy; the others
+/// follow a shortest one.
+constexpr std::array<LatticeOptions, 3> far_searches = {
+    LatticeOptions{12, 0.5, 2.0, false, far_shot}, LatticeOptions{12, 0.5, 2.0, false, far_shot},
+    LatticeOptions{24, 0.25, 1.5, false, far_shot}};
+constexpr double greediness_of_first_way = 1.25;
 constexpr double slack = 1.05;  // a route may cost so many times the best: shortening helps
 
 // The rule without prices of steering and clearance, for a first route: shortening takes care of
@@ -81,7 +78,7 @@ void Ladder::next_guide() {
   if (goes_far()) {
     guide_.emplace(task_, scene_, to_, from_,
                    GridDistance::Options{.side = task_.vehicle.width,
-                                         .greediness = far_searches[level_].greediness,
+                                         .greediness = level_ == 0 ? greediness_of_first_way : 1.0,
                                          .detour = 1.0});
   } else {
     // Without a price of clearance a first route is found sooner.
@@ -109,7 +106,7 @@ void Ladder::next_search() {
     return;
   }
   Connector& connector = minds_prices_ ? by_price_ : by_length_;
-  LatticeOptions options = goes_far() ? far_searches[level_].lattice : searches[level_];
+  LatticeOptions options = goes_far() ? far_searches[level_] : searches[level_];
   options.max_locks = level_ < last_coarse_level ? coarse_locks : fine_locks;
   lattice_.emplace(from_, to_, driven_beside_route(connector.rule()), options, *guide_, connector);
   const bool is_new_guide = guide_level_ == level_;
@@ -167,7 +164,7 @@ bool Ladder::goes_far() const { return is_far_ && level_ < far_searches.size(); 
 // Whether the next search has another guide: a finer one after the first search, or over a whole
 // site one with other options.
 bool Ladder::needs_next_guide() const {
-  if (goes_far()) return far_searches[level_].greediness != far_searches[guide_level_].greediness;
+  if (goes_far()) return guide_level_ == 0 && level_ > 0;
   return level_ == 1 && guide_side_ > fine_guide_side / 2;
 }
 
@@ -194,18 +191,12 @@ bool Ladder::step_rotation() {
   return found;
 }
 
-std::int64_t Ladder::solves() const {
-  return by_length_.solves() + by_price_.solves() + (by_gears_ ? by_gears_->solves() : 0) +
-         (rotation_ ? rotation_->solves() : 0);
-}
-
-std::int64_t Ladder::checks() const {
-  return by_length_.checks() + by_price_.checks() + (by_gears_ ? by_gears_->checks() : 0) +
-         (rotation_ ? rotation_->checks() : 0);
-}
-
-std::size_t Ladder::size() const {
-  return rotation_ ? rotation_->size() : lattice_ ? lattice_->size() : 0;
+Counts Ladder::counts() const {
+  Counts sum = counts_of(by_length_) += counts_of(by_price_);
+  if (by_gears_) sum += counts_of(*by_gears_);
+  if (rotation_) return sum += rotation_->counts();
+  if (lattice_) sum.nodes = lattice_->size();
+  return sum;
 }
 
 Route Ladder::route() const {

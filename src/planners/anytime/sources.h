@@ -35,9 +35,7 @@ class Ladder final : public Source {
   [[nodiscard]] Route route() const override;
   /// False once the finest search is done.
   [[nodiscard]] bool has_work() const override { return !finished_; }
-  [[nodiscard]] std::int64_t solves() const override;
-  [[nodiscard]] std::int64_t checks() const override;
-  [[nodiscard]] std::size_t size() const override;
+  [[nodiscard]] Counts counts() const override;
 
  private:
   [[nodiscard]] bool takes_turns() const;

@@ -42,8 +42,7 @@ class Survey final : public Source {
   /// Whether the survey is in its first full pass, which has the coarsest cells.
   [[nodiscard]] bool is_first_pass() const { return passes_ == 1; }
 
-  [[nodiscard]] std::int64_t solves() const override { return forth_.solves() + back_.solves(); }
-  [[nodiscard]] std::int64_t checks() const override { return forth_.checks() + back_.checks(); }
+  [[nodiscard]] Counts counts() const override { return counts_of(forth_) += counts_of(back_); }
 
  private:
   /// Steps of a field from its root to one of its nodes.

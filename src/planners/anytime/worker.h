@@ -8,15 +8,17 @@
 
 #include <cstdint>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "planners/anytime/drive.h"
+#include "planners/path_search.h"
 #include "search/route.h"
 #include "vandplan/problem.h"
 #include "vandplan/search.h"
 
 namespace vandplan::anytime {
+
+using planning::Proven;
 
 /// What a worker found in one round.
 struct Found {
@@ -37,29 +39,23 @@ struct Told {
   double enough = 0.0;  ///< a route of at most this cost ends the worker's round [m]
 };
 
-/// What a worker has proven.
-struct Proven {
-  /// Lower bound of the length of paths with exact ends, around obstacles [m]. Ends that are off
-  /// make a path shorter by no more than they are off.
-  double shortest = 0.0;
-  /// Lower bound of the length of paths with exact ends, with headings [m]. Ends that are off may
-  /// make a path shorter by `OpenGround::leeway`.
-  double shortest_turn = 0.0;
-  /// What zones and masks add at least to the cost that the lengths tell.
-  double added = 0.0;
-  /// Lower bound of the cost, by rules and prices of zones and masks alone.
-  double in_zones = 0.0;
-  /// What is proven not to get from the start to the goal, such as "nothing as wide as the
-  /// vehicle"; empty: none.
-  std::string_view walled_in = {};
-};
-
 /// Counters of the work so far.
 struct Counts {
   std::int64_t solves = 0;  ///< calls of the steering function
   std::int64_t checks = 0;  ///< edge checks
   std::int64_t nodes = 0;   ///< nodes of the current search
+
+  Counts& operator+=(const Counts& other) {
+    solves += other.solves;
+    checks += other.checks;
+    nodes += other.nodes;
+    return *this;
+  }
 };
+
+[[nodiscard]] inline Counts counts_of(const search::Connector& connector) {
+  return {connector.solves(), connector.checks()};
+}
 
 /// One method of the anytime planner.
 class Worker {
