@@ -76,7 +76,7 @@ GridDistance::GridDistance(const Task& task, const Bounds& box, const Pose& targ
   // The vehicle stands at both ends, so their cells are open.
   tile_of(root_).costs[place_of(root_)] = unreached;
   tile_of(to_).costs[place_of(to_)] = unreached;
-  reach(to_, 0, 0, 0);
+  reach(to_, 0, 0);
 }
 
 RasterCell GridDistance::cell_of(const Point& point) const noexcept {
@@ -100,7 +100,7 @@ GridDistance::Tile& GridDistance::tile_of(const RasterCell& cell) {
   ++made_tiles_;
   tile->costs.fill(unreached);
   if (is_priced()) {
-    tile->priced.assign(tile->costs.size(), {0, std::numeric_limits<float>::infinity()});
+    tile->gaps.assign(tile->costs.size(), std::numeric_limits<float>::infinity());
   }
   const RasterCell first{cell.x / tile_side * tile_side, cell.y / tile_side * tile_side};
   mark(*tile, first, site_->obstacles, near_, is_priced() ? disc_ + price_.distance : 0.0);
@@ -119,7 +119,7 @@ void GridDistance::mark(Tile& tile, const RasterCell& first, const PolygonSquare
     const std::size_t place = place_of(cell);
     if (squared <= near * near) tile.costs[place] = blocked;
     if (noted == 0.0) return;
-    float& gap = tile.priced[place].gap;
+    float& gap = tile.gaps[place];
     gap = std::min(gap, static_cast<float>(std::sqrt(squared)));
   };
   polygons.visit_near({low.x - reach, high.x + reach, low.y - reach, high.y + reach},
@@ -155,8 +155,7 @@ std::int64_t GridDistance::rank_of(const RasterCell& cell, std::int32_t cost) co
   return whole_ * cost + greediness_ * cost_between(cell, root_);
 }
 
-void GridDistance::reach(const RasterCell& cell, std::int32_t cost, std::int32_t length,
-                         std::int32_t step) {
+void GridDistance::reach(const RasterCell& cell, std::int32_t cost, std::int32_t step) {
   if (cell.x < 0 || cell.y < 0 || cell.x >= columns_ || cell.y >= rows_) return;
   Tile& tile = tile_of(cell);
   const std::size_t place = place_of(cell);
@@ -164,7 +163,7 @@ void GridDistance::reach(const RasterCell& cell, std::int32_t cost, std::int32_t
   cost += step;
   if (known <= cost) return;  // Blocked cells return here too.
   if (is_priced()) {
-    cost += static_cast<std::int32_t>(step * (price_at(cell, tile.priced[place].gap) - 1.0));
+    cost += static_cast<std::int32_t>(step * (price_at(cell, tile.gaps[place]) - 1.0));
     if (known <= cost) return;
   }
   if (map_ != nullptr && known == unreached && is_blocked_by_map(cell)) {
@@ -172,7 +171,6 @@ void GridDistance::reach(const RasterCell& cell, std::int32_t cost, std::int32_t
     return;
   }
   known = cost;
-  if (is_priced()) tile.priced[place].length = length + step;
   const std::int64_t rank = rank_of(cell, cost);
   const auto bucket = static_cast<std::size_t>(rank - least_);
   if (bucket >= buckets_.size()) buckets_.resize(bucket + 1);
@@ -183,13 +181,11 @@ void GridDistance::reach(const RasterCell& cell, std::int32_t cost, std::int32_t
 }
 
 void GridDistance::settle(const RasterCell& cell) {
-  const Tile& tile = tile_of(cell);
-  const std::int32_t cost = tile.costs[place_of(cell)];
-  const std::int32_t length = is_priced() ? tile.priced[place_of(cell)].length : cost;
+  const std::int32_t cost = tile_of(cell).costs[place_of(cell)];
   for (const std::int32_t dy : {-1, 0, 1}) {
     for (const std::int32_t dx : {-1, 0, 1}) {
       const bool is_straight = dx == 0 || dy == 0;
-      reach({cell.x + dx, cell.y + dy}, cost, length, is_straight ? straight_cost : diagonal_cost);
+      reach({cell.x + dx, cell.y + dy}, cost, is_straight ? straight_cost : diagonal_cost);
     }
   }
 }
@@ -233,15 +229,6 @@ double GridDistance::at(double x, double y) const noexcept {
                                  static_cast<double>(whole_)
                            : cost;
   return std::max(euclid, least * raster_.side / straight_cost);
-}
-
-double GridDistance::length_at(double x, double y) const noexcept {
-  if (!is_priced() || !contains(box_, {x, y})) return at(x, y);
-  const RasterCell cell = cell_of({x, y});
-  const std::int32_t cost = known_cost(cell);
-  if (cost == blocked || cost == unreached) return at(x, y);
-  const std::int32_t length = tiles_[index_of_tile(cell)]->priced[place_of(cell)].length;
-  return std::max(std::hypot(x - target_.x, y - target_.y), length * raster_.side / straight_cost);
 }
 
 // Descends the costs: each cell except the target's was reached from one that costs less.

@@ -67,7 +67,6 @@ class GridDistance final : public Guide {
 
   /// Distance to the target [m]; where it is not known, a lower bound on it.
   [[nodiscard]] double at(double x, double y) const noexcept override;
-  [[nodiscard]] double length_at(double x, double y) const noexcept override;
 
   /// The way that was found, from the root to the target: both points, and the centres of the cells
   /// between them. Requires `is_connected` and no price.
@@ -75,14 +74,10 @@ class GridDistance final : public Guide {
 
  private:
   static constexpr std::int32_t tile_side = 32;  // Side of a tile [cells].
-  /// What a price needs of a cell.
-  struct Priced {
-    std::int32_t length;  // Length of the way from the cell [1/5 cell].
-    float gap;            // Distance from the centre to the nearest side [m].
-  };
   struct Tile {
     std::array<std::int32_t, std::size_t{tile_side} * tile_side> costs;  // [1/5 cell]; -1: blocked.
-    std::vector<Priced> priced;                                          // Empty without a price.
+    /// Distances from the centres to the nearest side [m]. Empty without a price.
+    std::vector<float> gaps;
   };
 
   /// Cell that contains a point of the box, the nearest one for other points.
@@ -100,8 +95,8 @@ class GridDistance final : public Guide {
   [[nodiscard]] bool is_priced() const noexcept { return price_.weight > 0.0; }
   [[nodiscard]] double price_at(const RasterCell& cell, float gap) const;
   [[nodiscard]] std::int64_t rank_of(const RasterCell& cell, std::int32_t cost) const noexcept;
-  /// Reaches a cell by a step from a cell with this cost and length.
-  void reach(const RasterCell& cell, std::int32_t cost, std::int32_t length, std::int32_t step);
+  /// Reaches a cell by a step from a cell with this cost.
+  void reach(const RasterCell& cell, std::int32_t cost, std::int32_t step);
   void settle(const RasterCell& cell);
 
   std::shared_ptr<const SiteSquares> site_;

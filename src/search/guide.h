@@ -19,9 +19,6 @@ class Guide {
   /// Distance to the target [m], or cost of driving there. Where it is not known, a lower bound on
   /// it.
   [[nodiscard]] virtual double at(double x, double y) const noexcept = 0;
-
-  /// Length of the way to the target [m].
-  [[nodiscard]] virtual double length_at(double x, double y) const noexcept { return at(x, y); }
 };
 
 }  // namespace vandplan::search

@@ -10,8 +10,6 @@
 namespace vandplan::anytime {
 namespace {
 
-/// Ratio of the way around to open ground above which the exact path is not tried.
-constexpr double hopeless_shot = 1.2;
 constexpr double guide_trust = 0.9;  // trusted share of the guide's cost-to-go, which is no bound
 constexpr double straight_cells = 1.5;  // length of a straight step [cells], which leaves its cell
 constexpr std::size_t rare_shot = 256;  // expanded poses for one exact path from afar
@@ -156,12 +154,9 @@ std::optional<Lattice::Entry> Lattice::next() {
   return std::nullopt;
 }
 
-// Tries the exact path to the target, unless obstacles make the way much longer. True when that
-// gives a cheaper route.
+// Tries the exact path to the target. True when that gives a cheaper route.
 bool Lattice::shoot(const Entry& entry) {
   const Node& node = nodes_[static_cast<std::size_t>(entry.node)];
-  const double around = guide_.length_at(node.pose.x, node.pose.y);
-  if (around > hopeless_shot * entry.open_ground + cell_) return false;
   const bool is_known = cutoff_ < std::numeric_limits<double>::infinity();
   const bool is_dear = connector_.continuous() != nullptr && is_known &&
                        entry.open_ground > always_shot * connector_.radius();
