@@ -13,8 +13,6 @@ namespace {
 /// with prices, where more routes come.
 constexpr double hopeless_excess = 20.0;
 constexpr double hopeless_excess_with_prices = 8.0;
-constexpr double worth_a_try = 0.98;   // share of a given-up cost below which a like route is tried
-constexpr std::size_t remembered = 6;  // number of given-up routes that are remembered
 
 }  // namespace
 
@@ -49,20 +47,9 @@ bool Seeker::is_hopeless() const {
          excess * static_cast<double>(trials_) / candidate_->trials_for_one() > most;
 }
 
-// Whether a route of the same kind was given up. With prices searches find many such routes.
-bool Seeker::is_known(const Route& route) const {
-  if (route.cost < best_cost_) return false;
-  return std::ranges::any_of(in_vain_, [&](const Route& other) {
-    return route.cost > worth_a_try * other.cost && are_alike(route, other, connector_.radius());
-  });
-}
-
 void Seeker::give_up() {
   given_up_.push_back(candidate_->route());
   candidate_.reset();
-  if (connector_.rule().is_length()) return;
-  if (in_vain_.size() == remembered) in_vain_.erase(in_vain_.begin());
-  in_vain_.push_back(std::move(raw_));
 }
 
 // True when the source has found a route that is worth shortening.
@@ -71,8 +58,6 @@ bool Seeker::begin() {
   if (!source_->step()) return false;
   Route route = source_->route();
   if (connector_.rule().has_surcharge()) price(connector_, route);
-  if (is_known(route)) return false;
-  if (!connector_.rule().is_length()) raw_ = route;
   candidate_.emplace(connector_, std::move(route), stream_seed(seed_, ++candidates_), scope_);
   trials_ = 0;
   return true;

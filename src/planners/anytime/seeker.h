@@ -35,7 +35,6 @@ class Seeker final : public Worker {
   std::optional<double> step();
   [[nodiscard]] bool begin();
   [[nodiscard]] bool is_hopeless() const;
-  [[nodiscard]] bool is_known(const Route& route) const;
   void give_up();
 
   std::function<std::unique_ptr<Source>()> make_;
@@ -46,12 +45,10 @@ class Seeker final : public Worker {
   double best_cost_;                    // least cost of all routes that the worker knows
   double told_cost_;                    // cost of the best route that the source was told
   std::optional<Shortener> candidate_;  // route that is being shortened and may become the best
-  Route raw_;                           // the candidate before shortening
   std::int64_t trials_ = 0;             // trials spent on the candidate
   std::uint64_t candidates_ = 0;        // candidates so far; numbers their seeds
   std::optional<Route> winner_;         // best new route of this round
   std::vector<Route> given_up_;         // routes given up in this round, shortened
-  std::vector<Route> in_vain_;          // last routes that were given up, before shortening
 };
 
 }  // namespace vandplan::anytime
