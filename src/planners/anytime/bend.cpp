@@ -13,8 +13,6 @@ namespace {
 
 constexpr std::size_t max_waiting = 6;
 constexpr std::size_t max_challenging = 4;
-/// Trials added when doubts are compared, so that the cost of new drives counts.
-constexpr std::int64_t grace = 30;
 constexpr double hopeless_drive = 6.0;  // doubt above which a challenger is dropped
 
 }  // namespace
@@ -74,11 +72,11 @@ bool Bender::drive_along(std::span<const Segment> segments) {
   return drive.has_value();
 }
 
-/// Doubt of a challenger: its relative excess over the best drive, times its trials and `more`.
-double Bender::doubt(const Challenger& challenger, std::int64_t more) const {
+/// Doubt of a challenger: its relative excess over the best drive, times its trials.
+double Bender::doubt(const Challenger& challenger) const {
   if (!best_) return 0.0;
   const double excess = challenger.drive->cost() / best_->cost() - 1.0;
-  return excess * static_cast<double>(challenger.trials + more);
+  return excess * static_cast<double>(challenger.trials);
 }
 
 void Bender::drop(std::size_t i) {
@@ -100,7 +98,7 @@ void Bender::add(std::span<const commands::Command> drive) {
   if (challengers_.size() == max_challenging) {
     std::size_t worst = 0;
     for (std::size_t i = 1; i < challengers_.size(); ++i) {
-      if (doubt(challengers_[i], grace) > doubt(challengers_[worst], grace)) worst = i;
+      if (doubt(challengers_[i]) > doubt(challengers_[worst])) worst = i;
     }
     drop(worst);
   }

@@ -75,7 +75,7 @@ class Bender final : public Worker {
   bool begin();
   bool follow();
   bool challenge(std::size_t i);
-  [[nodiscard]] double doubt(const Challenger& challenger, std::int64_t more = 0) const;
+  [[nodiscard]] double doubt(const Challenger& challenger) const;
   [[nodiscard]] std::size_t next_challenger() const;
   void drop(std::size_t i);
 
