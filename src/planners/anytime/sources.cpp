@@ -28,8 +28,7 @@ constexpr double last_guide_side = 0.25;  // side of the finest guide's cells [v
 constexpr std::size_t last_coarse_level = 4;  // number of searches that count as coarse
 /// Most locks to either side where the curvature is continuous: each lock is one more cell at every
 /// pose.
-constexpr int coarse_locks = 2;
-constexpr int fine_locks = 3;
+constexpr int locks = 2;
 constexpr double far_shot = 40.0;  // cost-to-go beyond which exact paths are rare [turning radii]
 /// Searches over a whole site. The way on the grid that guides the first is greedy; the others
 /// follow a shortest one.
@@ -107,7 +106,7 @@ void Ladder::next_search() {
   }
   Connector& connector = minds_prices_ ? by_price_ : by_length_;
   LatticeOptions options = goes_far() ? far_searches[level_] : searches[level_];
-  options.max_locks = level_ < last_coarse_level ? coarse_locks : fine_locks;
+  options.max_locks = locks;
   lattice_.emplace(from_, to_, driven_beside_route(connector.rule()), options, *guide_, connector);
   const bool is_new_guide = guide_level_ == level_;
   if (goes_far() && is_new_guide && guide_->is_connected()) {
