@@ -24,7 +24,6 @@ constexpr std::array<LatticeOptions, 8> searches = {
 constexpr std::int64_t max_lattice_nodes = 300'000;  // nodes of one search: some 30 MB
 constexpr double first_guide_side = 1.0;  // side of the first guide's cells [vehicle widths]
 constexpr double fine_guide_side = 0.5;   // side of cells after the first search [vehicle widths]
-constexpr double last_guide_side = 0.25;  // side of the finest guide's cells [vehicle widths]
 constexpr std::size_t last_coarse_level = 4;  // number of searches that count as coarse
 /// Most locks to either side where the curvature is continuous: each lock is one more cell at every
 /// pose.
@@ -122,7 +121,7 @@ bool Ladder::step() {
   if (!guided_) {
     if (guide_->step()) return false;
     // Coarse cells may close a narrow opening.
-    guided_ = guide_->is_connected() || is_far_ || guide_side_ < last_guide_side;
+    guided_ = guide_->is_connected() || is_far_ || guide_side_ < fine_guide_side;
     if (!guided_) next_guide();
     // A route of a greedier guide is better than a search without a guide.
     if (guided_ && is_far_ && is_known() && !guide_->is_connected()) finished_ = true;
