@@ -222,9 +222,8 @@ void Composer::add_search(std::string_view name, std::uint64_t stream, Root root
 void Composer::add_length_prover() {
   auto prover = std::make_unique<LengthProver>(task_, rule_.only_gear());
   const Share share_now = share(shares::length_prover);
-  const std::int64_t settled = rule_.is_length() ? shares::settled_steps
-                               : bends_          ? shares::settled_steps_with_bending
-                                                 : shares::settled_steps_by_time;
+  const std::int64_t settled =
+      rule_.is_length() ? shares::settled_steps_by_length : shares::settled_steps;
   Share proofs = [share_now, settled, &prover = *prover](const Progress& now) -> std::int64_t {
     if (!now.has_route || (!now.is_settled && prover.has_work())) return 0;
     return share_now(now) * (now.is_settled ? settled : 1);

@@ -15,8 +15,7 @@ namespace {
 
 /// A cost below this share of the noted cost has clearly fallen.
 constexpr double a_good_deal = 0.999;
-constexpr int max_idle_rounds = 128;      // rounds in a row without work that end a run
-constexpr std::int64_t unsettled = 4000;  // iterations before a cost counts as settled
+constexpr int max_idle_rounds = 128;  // rounds in a row without work that end a run
 
 }  // namespace
 
@@ -53,7 +52,7 @@ Progress Run::progress() const {
           .rounds_with_route = rounds_with_route_,
           .iterations = budget_.iterations(),
           .has_route = has_path(),
-          .is_settled = budget_.iterations() > 2 * noted_at_ + unsettled};
+          .is_settled = budget_.iterations() > 2 * noted_at_};
 }
 
 Told Run::told(const Slot& slot, double enough_cost) const {

@@ -72,11 +72,9 @@ inline constexpr std::int64_t rounds_of_site_way = 16;
 /// Rounds with a route before the bound with headings is raised, if a gap is to be proven: boxes of
 /// poses take long to make.
 inline constexpr std::int64_t first_raise = 24;
-/// Factors of the length prover's share once the best cost hardly falls: by length, by time (rounds
-/// are slow), and with bending (rounds are short).
-inline constexpr std::int64_t settled_steps = 4;
-inline constexpr std::int64_t settled_steps_by_time = 16;
-inline constexpr std::int64_t settled_steps_with_bending = 8;
+/// Factors of the length prover's share once the best cost hardly falls: by length, and otherwise.
+inline constexpr std::int64_t settled_steps_by_length = 4;
+inline constexpr std::int64_t settled_steps = 8;
 
 /// Round from which the wall prover works, if there is no route. Most runs have a route by then.
 /// Over a whole site its steps are slower.
