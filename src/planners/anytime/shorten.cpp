@@ -17,7 +17,6 @@ constexpr double least_gain = 1e-9;  // smallest gain of a trial [m]
 constexpr double price_of_crumb = 0.4;
 constexpr double guide_leeway = 1.3;  // with a measure a trial may have so many times the price
 constexpr int patience = 200;         // trials without progress that stall a route
-constexpr int patience_for_each_leg = 60;  // more such trials for each leg
 
 constexpr std::size_t legs_of_window = 16;   // legs in a window
 constexpr int trials_of_window = 320;        // most trials in a window
@@ -60,7 +59,7 @@ Route Shortener::route() const {
 }
 
 bool Shortener::is_stalled() const {
-  return idle_ > patience + patience_for_each_leg * static_cast<int>(route_.legs.size());
+  return idle_ > patience;
 }
 
 double Shortener::trials_for_one() const {
