@@ -101,14 +101,15 @@ TEST(Rotation, EveryRouteIsValidAndOfInterest) {
                        problem.task().start, {.side = 1.0 * problem.vehicle().width});
     while (guide.step()) {
     }
-    Rotation rotation(problem.task(), rule, problem.task().start, problem.task().goal, {}, guide);
+    Connector connector(problem.task(), rule);
+    Rotation rotation(problem.task().start, problem.task().goal, {}, guide, connector);
     double cutoff = 150.0;
     for (int i = 0; i < 3000 && !rotation.is_finished(); ++i) {
       if (!rotation.step(cutoff)) continue;
       Route route = rotation.route();
       route.cost = cost_of(rule, route);
       expect_valid(problem, rule, route);
-      EXPECT_LT(route.cost, 4 * 1.1 * cutoff);  // under four times the price of a change
+      EXPECT_LT(route.cost, 1.1 * cutoff + 1e-9);
       cutoff = std::min(cutoff, route.cost);
     }
   });
@@ -121,8 +122,8 @@ TEST(Rotation, EndsWhenNothingCheaperIsLeft) {
                      {.side = 0.5 * problem.vehicle().width});
   while (guide.step()) {
   }
-  Rotation rotation(problem.task(), {1.0, 2.0, 5.0, 0}, problem.task().start, problem.task().goal,
-                    {}, guide);
+  Connector connector(problem.task(), {1.0, 2.0, 5.0, 0});
+  Rotation rotation(problem.task().start, problem.task().goal, {}, guide, connector);
   for (int i = 0; i < 50000 && !rotation.is_finished(); ++i) EXPECT_FALSE(rotation.step(9.0));
   EXPECT_TRUE(rotation.is_finished());
 }

@@ -18,8 +18,7 @@ using search::Driven, search::gear_of;
 
 /// Stages, counted from the last, where a part may begin.
 constexpr std::size_t max_stages_back = 3;
-constexpr std::size_t max_cuts_ahead = 4;  // cuts ahead where a part may end
-constexpr int max_idle_trials = 100;       // trials without a gain that end shaking
+constexpr int max_idle_trials = 100;   // trials without a gain that end shaking
 constexpr std::size_t max_beside = 4;  // commands on either side of a blocked one that are changed
 
 }  // namespace
@@ -66,7 +65,6 @@ void Follower::follow(std::span<const Segment> way) {
   stages_.assign(1, {0, 0, task_.start, ends_.before});
   next_ = 0;
   tried_ = 0;
-  nearly_.reset();
   left_ = std::numeric_limits<double>::infinity();
   idle_ = 0;
 }
@@ -109,30 +107,23 @@ void Follower::take(const Part& part) {
   stages_.push_back({to.segment, drive_.size(), to.pose, driven});
   next_ = part.cut + 1;
   tried_ = 0;
-  nearly_.reset();
 }
 
-/// Drives to the next cut, or to a later one if that is blocked. False if no cut was reached.
+/// Drives to the next cut, from the last stage or from one before, on the part that is blocked
+/// least. Goes for a later cut if no commands lead there. False if no cut was reached.
 bool Follower::go_on() {
-  if (tried_ == max_cuts_ahead || next_ + tried_ == cuts_.size()) {
-    if (nearly_) {
-      take(*nearly_);
-      return true;
-    }
-    if (next_ + tried_ == cuts_.size()) return false;
-  }
+  if (next_ + tried_ == cuts_.size()) return false;
   const std::size_t to = next_ + tried_++;
+  std::optional<Part> least;
   for (std::size_t back = 1; back <= std::min(max_stages_back, stages_.size()); ++back) {
     Part part{stages_[stages_.size() - back], to, {}, 0.0};
     if (!lead(part)) continue;
     part.blocked = blocked(part.commands, part.from.pose, part.from.driven,
-                           nearly_ ? nearly_->blocked : std::numeric_limits<double>::infinity());
-    if (part.blocked == 0.0) {
-      take(part);
-      return true;
-    }
-    if (!nearly_ || part.blocked < nearly_->blocked) nearly_ = std::move(part);
+                           least ? least->blocked : std::numeric_limits<double>::infinity());
+    if (!least || part.blocked < least->blocked) least = std::move(part);
+    if (least->blocked == 0.0) break;
   }
+  if (least) take(*least);
   return true;
 }
 

@@ -77,10 +77,9 @@ class Follower {
   std::int64_t checks_ = 0;
   std::vector<Segment> way_;  // the way, with a joint at each cut
   std::vector<Cut> cuts_;
-  std::size_t next_ = 0;        // index of the next cut
-  std::size_t tried_ = 0;       // cuts tried in vain, from `next_` on
-  std::optional<Part> nearly_;  // part to the next cuts that is blocked least, if none is free
-  std::vector<Stage> stages_;   // stages where the parts of the drive begin
+  std::size_t next_ = 0;                  // index of the next cut
+  std::size_t tried_ = 0;                 // cuts tried in vain, from `next_` on
+  std::vector<Stage> stages_;             // stages where the parts of the drive begin
   std::vector<commands::Command> drive_;  // commands of the drive
   /// Poses before each command of the drive, and at its end.
   std::vector<LocalPose> poses_;

@@ -18,7 +18,6 @@ constexpr std::size_t rare_shot = 256;  // expanded poses for one exact path fro
 constexpr std::size_t continuous_shot = 4;
 /// Cost-to-go within which exact paths are always tried [turning radii].
 constexpr double always_shot = 2.0;
-constexpr int looks = 8;  // entries ranked anew in one step, at most
 
 std::size_t slot_of(std::uint64_t key, std::size_t size) {
   return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15U) >> 20) & (size - 1);
@@ -138,9 +137,9 @@ bool Lattice::is_straight(double curvature) const {
   return std::abs(curvature) * connector_.radius() < straight_wheels;
 }
 
-// The entry of least rank; none if that needs more than a few looks at open ground.
+// The entry of least rank; none if none is left.
 std::optional<Lattice::Entry> Lattice::next() {
-  for (int i = 0; i < looks && !open_.empty(); ++i) {
+  while (!open_.empty()) {
     Entry entry = open_.top();
     open_.pop();
     if (entry.open_ground > 0.0) return entry;
@@ -229,7 +228,6 @@ void Lattice::expand(std::int32_t id) {
 bool Lattice::waits_for_cheaper(Entry entry) {
   Node& node = nodes_[static_cast<std::size_t>(entry.node)];
   node.is_free = true;
-  if (options_.overlooks_clearance) return false;
   const LocalPose& from = nodes_[static_cast<std::size_t>(node.parent)].pose;
   const double near = connector_.clearance_cost(from, std::span(&node.segment, 1));
   node.cost_to_come += near;

@@ -7,6 +7,7 @@
 // Dolgov et al. 2010). Its routes are seeds for the shortener. With continuous curvature, clothoids
 // lead from lock to lock, and each lock has cells of its own.
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <queue>
@@ -25,9 +26,6 @@ struct LatticeOptions {
   int headings = 24;        ///< heading cells of a full turn; an arc step turns by one of them
   double cell = 0.25;       ///< side of a position cell [turning radii]
   double greediness = 1.0;  ///< weight of the cost-to-go; >= 1
-  /// Whether the order of poses ignores the price of clearance. Routes are then found sooner, but
-  /// not the best ones.
-  bool overlooks_clearance = false;
   /// Cost-to-go beyond which the exact path to the target is tried only rarely [turning radii].
   double far_shot = std::numeric_limits<double>::infinity();
   /// Largest possible number of locks to either side of straight.
@@ -35,6 +33,15 @@ struct LatticeOptions {
   /// Most locks to either side of straight where the curvature is continuous, 1 to `all_locks`.
   int max_locks = all_locks;
 };
+
+/// Searches from coarse to fine. Each is twice as fine as the second one before. The first two are
+/// greedy and find a first route; the third looks for the best route; the others find ways out of
+/// ever tighter slots.
+inline constexpr std::array<LatticeOptions, 8> coarse_to_fine = {
+    LatticeOptions{12, 0.5, 2.0},    LatticeOptions{24, 0.25, 1.5},
+    LatticeOptions{36, 0.17, 1.2},   LatticeOptions{48, 0.125, 2.0},
+    LatticeOptions{96, 0.06, 2.0},   LatticeOptions{192, 0.03, 3.0},
+    LatticeOptions{384, 0.015, 3.0}, LatticeOptions{768, 0.0075, 3.0}};
 
 /// One search from `root` to `target`. `beside`: what is driven before and after the route.
 class Lattice {

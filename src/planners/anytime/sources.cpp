@@ -13,14 +13,6 @@
 namespace vandplan::anytime {
 namespace {
 
-/// Searches of a ladder. Each is twice as fine as the second one before. The first two are greedy
-/// and find a first route; the third looks for the best route; the others find ways out of ever
-/// tighter slots.
-constexpr std::array<LatticeOptions, 8> searches = {
-    LatticeOptions{12, 0.5, 2.0},    LatticeOptions{24, 0.25, 1.5},
-    LatticeOptions{36, 0.17, 1.2},   LatticeOptions{48, 0.125, 2.0},
-    LatticeOptions{96, 0.06, 2.0},   LatticeOptions{192, 0.03, 3.0},
-    LatticeOptions{384, 0.015, 3.0}, LatticeOptions{768, 0.0075, 3.0}};
 constexpr std::int64_t max_lattice_nodes = 300'000;  // nodes of one search: some 30 MB
 constexpr double first_guide_side = 1.0;  // side of the first guide's cells [vehicle widths]
 constexpr double fine_guide_side = 0.5;   // side of cells after the first search [vehicle widths]
@@ -31,9 +23,9 @@ constexpr int locks = 2;
 constexpr double far_shot = 40.0;  // cost-to-go beyond which exact paths are rare [turning radii]
 /// Searches over a whole site. The way on the grid that guides the first is greedy; the others
 /// follow a shortest one.
-constexpr std::array<LatticeOptions, 3> far_searches = {
-    LatticeOptions{12, 0.5, 2.0, false, far_shot}, LatticeOptions{12, 0.5, 2.0, false, far_shot},
-    LatticeOptions{24, 0.25, 1.5, false, far_shot}};
+constexpr std::array<LatticeOptions, 3> far_searches = {LatticeOptions{12, 0.5, 2.0, far_shot},
+                                                        LatticeOptions{12, 0.5, 2.0, far_shot},
+                                                        LatticeOptions{24, 0.25, 1.5, far_shot}};
 constexpr double greediness_of_first_way = 1.25;
 constexpr double slack = 1.05;  // a route may cost so many times the best: shortening helps
 
@@ -99,12 +91,12 @@ DrivenBeside Ladder::driven_beside_route(const CostRule& rule) const {
 void Ladder::next_search() {
   lattice_.reset();
   strung_.reset();
-  if (level_ == searches.size() || (is_far_ && is_known() && !goes_far())) {
+  if (level_ == coarse_to_fine.size() || (is_far_ && is_known() && !goes_far())) {
     finished_ = true;
     return;
   }
   Connector& connector = minds_prices_ ? by_price_ : by_length_;
-  LatticeOptions options = goes_far() ? far_searches[level_] : searches[level_];
+  LatticeOptions options = goes_far() ? far_searches[level_] : coarse_to_fine[level_];
   options.max_locks = locks;
   lattice_.emplace(from_, to_, driven_beside_route(connector.rule()), options, *guide_, connector);
   const bool is_new_guide = guide_level_ == level_;
@@ -181,8 +173,7 @@ bool Ladder::step_rotation() {
       next_guide();
       return false;
     }
-    rotation_.emplace(task_, by_price_.rule(), from_, to_, driven_beside_route(by_price_.rule()),
-                      *guide_);
+    rotation_.emplace(from_, to_, driven_beside_route(by_price_.rule()), *guide_, by_price_);
   }
   const bool found = rotation_->step(cutoff_);
   finished_ = rotation_->is_finished();
@@ -192,8 +183,7 @@ bool Ladder::step_rotation() {
 Counts Ladder::counts() const {
   Counts sum = counts_of(by_length_) += counts_of(by_price_);
   if (by_gears_) sum += counts_of(*by_gears_);
-  if (rotation_) return sum += rotation_->counts();
-  if (lattice_) sum.nodes = lattice_->size();
+  sum.nodes = rotation_ ? rotation_->size() : lattice_ ? lattice_->size() : 0;
   return sum;
 }
 
