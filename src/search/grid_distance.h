@@ -21,6 +21,9 @@ struct ClearancePrice {
   double distance = 1.0;  ///< Clearance from which on there is no added price [m]; > 0.
 };
 
+/// Side of the cells of a fine grid, the guide of a search [vehicle widths].
+inline constexpr double fine_guide_side = 0.5;
+
 /// Side of the cells of a grid that covers the whole box [m]: `side` vehicle widths, more in large
 /// boxes.
 [[nodiscard]] double side_over_all(const Task& task, const Bounds& box, double side);

@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::size_t max_waiting = 6;
 constexpr std::size_t max_challenging = 4;
-constexpr double hopeless_drive = 6.0;  // doubt above which a challenger is dropped
 
 }  // namespace
 
@@ -150,7 +149,7 @@ bool Bender::step() {
   challenger.drive->step();
   ++challenger.trials;
   if (challenge(i)) return true;
-  if (challenger.drive->is_stalled() || doubt(challenger) > hopeless_drive) drop(i);
+  if (challenger.drive->is_stalled() || doubt(challenger) > hopeless) drop(i);
   return false;
 }
 

@@ -14,6 +14,7 @@
 #include "planners/anytime/drive.h"
 #include "planners/anytime/follow.h"
 #include "planners/anytime/kinds.h"
+#include "planners/anytime/shorten.h"
 #include "planners/anytime/worker.h"
 #include "planners/commands/closer.h"
 #include "planners/commands/shorten_drive.h"

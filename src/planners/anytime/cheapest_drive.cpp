@@ -19,7 +19,6 @@ constexpr double worth_a_challenge = 1.3;  // a challenger may cost so many time
 constexpr std::size_t max_challengers = 32;
 constexpr int bending_period = 4;                  // one of so many trials bends
 constexpr std::uint64_t bending_seeds = 1U << 30;  // seeds above those of shortened routes
-constexpr double hopeless_challenge = 20;  // relative excess times trials that ends a challenge
 
 }  // namespace
 
@@ -101,7 +100,7 @@ bool CheapestDrive::step() {
   if (!benders_.empty() && ++steps_ % bending_period == 0) return bend();
   ++trials_;
   const double excess = shortener_->cost() / cost_ - 1;
-  if (shortener_->is_stalled() || (is_challenger_ && excess * trials_ > hopeless_challenge)) {
+  if (shortener_->is_stalled() || (is_challenger_ && excess * trials_ > hopeless)) {
     if (!is_challenger_ && !challengers_.empty()) {
       challenge();
     } else {

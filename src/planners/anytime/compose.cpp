@@ -30,8 +30,7 @@ namespace {
 
 /// Least length of strokes where seconds have a price beside others [m].
 constexpr double shortest_stroke = 0.1;
-/// Largest additional cost of a finished drive, relative: by its time, or by both prices.
-constexpr double slack_of_time = 1e-12;
+/// Largest additional cost of a finished drive, relative, where seconds have a price beside others.
 constexpr double slack_of_both = 1e-2;
 /// Streams of random numbers, one for each worker.
 namespace stream {
@@ -147,7 +146,7 @@ FinishRules Composer::finish_rules() const {
       .min_stroke = min_stroke, .stroke = min_stroke, .is_continuous = is_continuous()};
   if (!pricing_->counts_time()) return rules;
   if (!pricing_->is_time()) rules.stroke = std::max(min_stroke, shortest_stroke);
-  if (min_stroke == 0.0) rules.slack = pricing_->is_time() ? slack_of_time : slack_of_both;
+  if (min_stroke == 0.0) rules.slack = pricing_->is_time() ? rounding_of_cost : slack_of_both;
   return rules;
 }
 

@@ -41,12 +41,12 @@ double CostBound::by_lengths(const Proven& proven) const {
 
 bool CostBound::is_optimal(double cost, const Proven& proven) const {
   if (is_rig_) return cost <= std::max(judged_of_rig_, exact_of_rig_ * (1 + of_rig));
-  constexpr double of_time = 1e-12;  // rounding of a time, relative
-  constexpr double of_both = 1e-6;   // slack of prices plus time, relative: ends may be off as much
+  constexpr double of_both = 1e-6;  // slack of prices plus time, relative: ends may be off as much
   if (pricing_.counts_time()) {
-    return cost <= least(proven) * (1 + (pricing_.is_time() ? of_time : of_both));
+    return cost <= least(proven) * (1 + (pricing_.is_time() ? rounding_of_cost : of_both));
   }
-  return cost <= cost_lower_bound(ground_, pricing_.rule(), 0.0) * (1 + 1e-12) + ground_.leeway;
+  return cost <=
+         cost_lower_bound(ground_, pricing_.rule(), 0.0) * (1 + rounding_of_cost) + ground_.leeway;
 }
 
 }  // namespace vandplan::anytime

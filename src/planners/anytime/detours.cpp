@@ -12,7 +12,6 @@ namespace vandplan::anytime {
 namespace {
 
 constexpr double least_stretch = 2.0;  // least length of a stretch [turning radii]
-constexpr double guide_side = 0.5;     // side of a cell of the guide's grid [vehicle widths]
 constexpr double detour_slack = 1.1;   // a found way may cost so many times the stretch
 /// Searches, one of which is chosen at random.
 constexpr std::array<LatticeOptions, 4> detour_searches = {
@@ -21,9 +20,8 @@ constexpr std::array<LatticeOptions, 4> detour_searches = {
 constexpr std::int64_t least_expansions = 256;  // expansions of the smallest search
 constexpr std::uint64_t doublings = 4;          // number of sizes of a search, each twice as large
 constexpr double max_stretch = 60.0;            // largest length of a stretch [turning radii]
-constexpr double grid_slack = 1.1;       // ways on the grid may be so many times as long as paths
-constexpr int max_trials = 600;          // most trials to shorten a way
-constexpr double hopeless_detour = 8.0;  // relative excess times trials that ends shortening
+constexpr double grid_slack = 1.1;  // ways on the grid may be so many times as long as paths
+constexpr int max_trials = 600;     // most trials to shorten a way
 constexpr double least_gain_of_detour = 1e-3;  // least gain of a detour [turning radii]
 
 // Box around the ellipse with foci `a` and `b` that paths of at most `length` between them do not
@@ -108,8 +106,9 @@ void Detours::begin() {
 
 void Detours::make_guide(const LocalPose& root, const LocalPose& target) {
   const Bounds box = ellipse_box(root, target, detour_slack * old_.cost, scene_);
-  guide_.emplace(task_, box, target, root,
-                 GridDistance::Options{.side = guide_side * task_.vehicle.width, .detour = 1.0});
+  guide_.emplace(
+      task_, box, target, root,
+      GridDistance::Options{.side = fine_guide_side * task_.vehicle.width, .detour = 1.0});
   guided_ = false;
 }
 
@@ -145,7 +144,7 @@ bool Detours::patch() {
   const double least = least_gain_of_detour * task_.vehicle.min_turning_radius;
   if (patch_->cost() > old_.cost - least) {
     const double excess = patch_->cost() / old_.cost - 1.0;
-    if (patch_->is_stalled() || trials_ == max_trials || excess * trials_ > hopeless_detour) end();
+    if (patch_->is_stalled() || trials_ == max_trials || excess * trials_ > hopeless) end();
     return false;
   }
   put_in_place(patch_->route());

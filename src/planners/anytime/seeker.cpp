@@ -7,15 +7,6 @@
 #include <utility>
 
 namespace vandplan::anytime {
-namespace {
-
-/// Relative excess of a route times its trials above which the route is hopeless: by length, and
-/// with prices, where more routes come.
-constexpr double hopeless_excess = 20.0;
-constexpr double hopeless_excess_with_prices = 8.0;
-
-}  // namespace
-
 Seeker::Seeker(const Task& task, const CostRule& rule, Scope scope, std::uint64_t seed,
                std::function<std::unique_ptr<Source>()> make)
     : make_(std::move(make)),
@@ -38,13 +29,11 @@ Counts Seeker::counts() const {
   return counts;
 }
 
-// Whether the candidate will not win: it is far above the best route after many trials. What
-// shortening gains falls about as one over the number of trials (docs/algorithms/anytime.md).
+// Whether the candidate will not win: it is far above the best route after many trials.
 bool Seeker::is_hopeless() const {
   const double excess = candidate_->cost() / best_cost_ - 1.0;
-  const double most = connector_.rule().is_length() ? hopeless_excess : hopeless_excess_with_prices;
   return candidate_->is_stalled() ||
-         excess * static_cast<double>(trials_) / candidate_->trials_for_one() > most;
+         excess * static_cast<double>(trials_) / candidate_->trials_for_one() > hopeless;
 }
 
 void Seeker::give_up() {

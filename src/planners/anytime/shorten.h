@@ -15,6 +15,10 @@ namespace vandplan::anytime {
 
 using namespace search;
 
+/// Relative excess of a route or drive over the best one, times its trials, above which it is
+/// hopeless: what trials gain falls about as one over their number (docs/algorithms/anytime.md).
+inline constexpr double hopeless = 8.0;
+
 /// Part of a route that trials may change.
 enum class Scope {
   all,      ///< the whole route

@@ -14,18 +14,14 @@ namespace vandplan::anytime {
 namespace {
 
 constexpr std::int64_t max_lattice_nodes = 300'000;  // nodes of one search: some 30 MB
-constexpr double first_guide_side = 1.0;  // side of the first guide's cells [vehicle widths]
-constexpr double fine_guide_side = 0.5;   // side of cells after the first search [vehicle widths]
-constexpr std::size_t last_coarse_level = 4;  // number of searches that count as coarse
+constexpr std::size_t last_coarse_level = 4;         // number of searches that count as coarse
 /// Most locks to either side where the curvature is continuous: each lock is one more cell at every
 /// pose.
 constexpr int locks = 2;
 constexpr double far_shot = 40.0;  // cost-to-go beyond which exact paths are rare [turning radii]
 /// Searches over a whole site. The way on the grid that guides the first is greedy; the others
 /// follow a shortest one.
-constexpr std::array<LatticeOptions, 3> far_searches = {LatticeOptions{12, 0.5, 2.0, far_shot},
-                                                        LatticeOptions{12, 0.5, 2.0, far_shot},
-                                                        LatticeOptions{24, 0.25, 1.5, far_shot}};
+constexpr std::size_t far_searches = 3;
 constexpr double greediness_of_first_way = 1.25;
 constexpr double slack = 1.05;  // a route may cost so many times the best: shortening helps
 
@@ -56,7 +52,6 @@ Ladder::Ladder(const Task& task, const CostRule& rule, Root root, Scope scope)
       rule_(rule),
       by_length_(task, length_rule(rule_from(rule, root))),
       by_price_(task, rule_from(rule, root)),
-      guide_side_(first_guide_side),
       cutoff_(std::numeric_limits<double>::infinity()) {
   if (is_far_) by_gears_.emplace(task, gears_alone(rule));
   next_guide();
@@ -96,7 +91,8 @@ void Ladder::next_search() {
     return;
   }
   Connector& connector = minds_prices_ ? by_price_ : by_length_;
-  LatticeOptions options = goes_far() ? far_searches[level_] : coarse_to_fine[level_];
+  LatticeOptions options = coarse_to_fine[goes_far() && level_ > 0 ? level_ - 1 : level_];
+  if (goes_far()) options.far_shot = far_shot;
   options.max_locks = locks;
   lattice_.emplace(from_, to_, driven_beside_route(connector.rule()), options, *guide_, connector);
   const bool is_new_guide = guide_level_ == level_;
@@ -149,7 +145,7 @@ bool Ladder::step_strung() {
   return is_done_ && route().cost < slack * cutoff_;
 }
 
-bool Ladder::goes_far() const { return is_far_ && level_ < far_searches.size(); }
+bool Ladder::goes_far() const { return is_far_ && level_ < far_searches; }
 
 // Whether the next search has another guide: a finer one after the first search, or over a whole
 // site one with other options.

@@ -62,8 +62,8 @@ class Ladder final : public Source {
   /// Steers along a way over a whole site.
   std::optional<Connector> by_gears_;
   std::optional<GridDistance> guide_;
-  double guide_side_;    // side of the next guide's cells [vehicle widths]
-  bool guided_ = false;  // whether the guide is complete
+  double guide_side_ = 1.0;  // side of the next guide's cells [vehicle widths]
+  bool guided_ = false;      // whether the guide is complete
   bool finished_ = false;
   std::size_t level_ = 0;        // index of the next search
   std::size_t guide_level_ = 0;  // value of `level_` when the guide was made

@@ -13,7 +13,6 @@
 namespace vandplan::anytime {
 namespace {
 
-constexpr LatticeOptions leg_search = {12, 0.5, 2.0};
 constexpr int max_expansions = 256;  // expansions for one leg
 constexpr double least_apart = 4.0;  // least distance of bends [turning radii]
 /// Most cost of a leg: a factor on the straight distance, and an addition [turning radii].
@@ -128,7 +127,7 @@ void Strung::begin_leg() {
     return;
   }
   guide_.emplace(corner);
-  lattice_.emplace(here(), corner, beside, leg_search, *guide_, connector_);
+  lattice_.emplace(here(), corner, beside, coarse_to_fine.front(), *guide_, connector_);
   lattice_->set_cutoff(dearest);
   expansions_ = 0;
 }

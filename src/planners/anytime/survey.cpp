@@ -29,10 +29,9 @@ constexpr std::int64_t max_poses_of_glance = 50'000;  // poses expanded by a gla
 constexpr double max_cells = 1e6;                     // cells of places and headings in one field
 constexpr int poses_of_step = 32;                     // poses expanded in one step
 constexpr int steps_of_preparing = 8;                 // steps of grid and raster in one step
-constexpr double survey_guide_side = 0.5;  // side of a cell of the guide's grid [vehicle widths]
-constexpr double border = 2.0;             // border around the scene [turning radii]
-constexpr double room_of_step = 0.2;       // room that the longest step needs [turning radii]
-constexpr std::int64_t bin_headings = 8;   // bins of the heading
+constexpr double border = 2.0;                        // border around the scene [turning radii]
+constexpr double room_of_step = 0.2;      // room that the longest step needs [turning radii]
+constexpr std::int64_t bin_headings = 8;  // bins of the heading
 /// A word that joins two branches replaces so many steps of one branch, and half as many of the
 /// other.
 constexpr std::array<std::size_t, 7> steps_replaced = {1, 2, 3, 4, 6, 8, 12};
@@ -66,7 +65,7 @@ bool Survey::prepare() {
     const Bounds scene = sampling_region(task_, Region::scene);
     guide_ = std::make_unique<GridDistance>(
         task_, scene, task_.start, task_.goal,
-        GridDistance::Options{.side = side_over_all(task_, scene, survey_guide_side),
+        GridDistance::Options{.side = side_over_all(task_, scene, fine_guide_side),
                               .price = {rule.clearance_weight, rule.clearance_distance}});
     raster_ = std::make_unique<ClearanceRaster>(
         task_, box_, std::max(rule.clearance_distance, room_of_step * forth_.radius()));
