@@ -17,7 +17,6 @@ constexpr double sharpnesses[] = {0.5, 0.25, 0.7, 1.0};
 
 constexpr double worth_a_challenge = 1.3;  // a challenger may cost so many times the cheapest route
 constexpr std::size_t max_challengers = 32;
-constexpr int bending_period = 4;                  // one of so many trials bends
 constexpr std::uint64_t bending_seeds = 1U << 30;  // seeds above those of shortened routes
 
 }  // namespace
@@ -97,7 +96,7 @@ std::vector<Segment> CheapestDrive::segments() const {
 
 bool CheapestDrive::step() {
   if (!shortener_) return false;
-  if (!benders_.empty() && ++steps_ % bending_period == 0) return bend();
+  if (!benders_.empty() && ++steps_ % 2 == 0) return bend();
   ++trials_;
   const double excess = shortener_->cost() / cost_ - 1;
   if (shortener_->is_stalled() || (is_challenger_ && excess * trials_ > hopeless)) {
