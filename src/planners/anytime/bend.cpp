@@ -11,7 +11,6 @@
 namespace vandplan::anytime {
 namespace {
 
-constexpr std::size_t max_waiting = 6;
 constexpr std::size_t max_challenging = 4;
 
 }  // namespace
@@ -54,7 +53,6 @@ std::optional<Drive> Bender::begin_with(const Path& known) {
 void Bender::wait(Drive route) {
   const auto is_dearer = [](const Drive& a, const Drive& b) { return a.cost > b.cost; };
   waiting_.insert(std::ranges::upper_bound(waiting_, route, is_dearer), std::move(route));
-  if (waiting_.size() > max_waiting) waiting_.erase(waiting_.begin());
 }
 
 std::int64_t Bender::checks() const {

@@ -168,7 +168,7 @@ Share Composer::until_route(const Row& row) const {
 
 // Iterations of a worker in a round with a route.
 std::int64_t Composer::share_with_route(const Row& row) const {
-  if (is_far_) return rule_.is_length() ? row.far_by_length : row.far_by_prices;
+  if (is_far_) return row.far;
   return rule_.is_length() ? row.by_length : bends_ ? row.by_prices : row.by_time;
 }
 

@@ -26,17 +26,16 @@ struct Row {
   /// counts rounds with a route. Rounds are short then, and workers that prove most gaps come
   /// first.
   Turn with_gap;
-  Turn far_until_route = {};       ///< share over a whole site, while there is no route
-  std::int64_t far_by_length = 0;  ///< iterations over a whole site with a route, by length
-  std::int64_t far_by_prices = 0;  ///< iterations over a whole site with a route, not by length
+  Turn far_until_route = {};  ///< share over a whole site, while there is no route
+  std::int64_t far = 0;       ///< iterations over a whole site with a route
 };
 
 namespace shares {
 
-inline constexpr Row search_from_goal{{0, 64}, 64, 160, 24, {1, 48}, {0, 64}, 256, 256};
-inline constexpr Row search_from_start{{1, 64}, 64, 160, 24, {6, 48}, {64, 64}, 16, 16};
-inline constexpr Row refine{{}, 256, 0, 0, {0, 48}, {}, 256, 256};
-inline constexpr Row length_prover{{}, 2, 2, 1, {0, 1}, {}, 4, 1};
+inline constexpr Row search_from_goal{{0, 64}, 64, 160, 24, {1, 48}, {0, 64}, 256};
+inline constexpr Row search_from_start{{1, 64}, 64, 160, 24, {6, 48}, {64, 64}, 16};
+inline constexpr Row refine{{}, 256, 0, 0, {0, 48}, {}, 256};
+inline constexpr Row length_prover{{}, 2, 2, 1, {0, 1}, {}, 4};
 inline constexpr Row bend{{}, 24, 0, 96, {0, 24}};
 inline constexpr Row survey{{}, 0, 0, 16, {}};
 

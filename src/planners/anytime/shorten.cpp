@@ -10,13 +10,12 @@
 namespace vandplan::anytime {
 namespace {
 
-constexpr double progress = 5e-4;    // relative gain that counts as progress
 constexpr double least_gain = 1e-9;  // smallest gain of a trial [m]
 // Cost of one crumb when a measure compares two routes [m or s, as the measure]. Without it drives
 // keep wiggles of some centimetres: 25 in 80 random worlds.
 constexpr double price_of_crumb = 0.4;
 constexpr double guide_leeway = 1.3;  // with a measure a trial may have so many times the price
-constexpr int patience = 200;         // trials without progress that stall a route
+constexpr int patience = 200;         // trials in a row without a gain that stall a route
 
 constexpr std::size_t legs_of_window = 16;   // legs in a window
 constexpr int trials_of_window = 320;        // most trials in a window
@@ -43,8 +42,7 @@ Shortener::Shortener(Connector& connector, Route route, std::uint64_t seed, Scop
           DrivenBeside{connector.rule().initial_gear, connector.rule().final_gear})),
       last_(route_.legs.size()),
       visit_cost_(route_.cost),
-      rng_(seed),
-      progress_cost_(route_.cost) {
+      rng_(seed) {
   if (scope == Scope::all || route_.legs.size() <= 2 * legs_of_window) return;
   // The first window is anywhere. Otherwise each shortener that takes a route over would begin with
   // the same legs.
@@ -58,9 +56,7 @@ Route Shortener::route() const {
   return whole;
 }
 
-bool Shortener::is_stalled() const {
-  return idle_ > patience;
-}
+bool Shortener::is_stalled() const { return idle_ > patience; }
 
 double Shortener::trials_for_one() const {
   if (is_whole()) return 1.0;
@@ -273,11 +269,7 @@ bool Shortener::step() {
                        : kind < 0.4 ? drop_via()
                        : kind < 0.9 ? move_via()
                                     : move_place();
-  ++idle_;
-  if (cost() < progress_cost_ * (1 - progress)) {
-    progress_cost_ = cost();
-    idle_ = 0;
-  }
+  idle_ = shorter ? 0 : idle_ + 1;
   if (is_whole()) return shorter;
   ++visit_;
   ++idle_visit_;

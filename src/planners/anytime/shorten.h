@@ -42,7 +42,7 @@ class Shortener {
   [[nodiscard]] double cost() const { return route_.cost; }
   /// Number of trials that bring about as much as one trial on a short route.
   [[nodiscard]] double trials_for_one() const;
-  /// Whether many trials in a row brought next to nothing.
+  /// Whether many trials in a row brought nothing.
   [[nodiscard]] bool is_stalled() const;
 
  private:
@@ -92,8 +92,7 @@ class Shortener {
   int idle_visit_ = 0;      // trials in this window since the last gain
   Rng rng_;
   std::vector<Leg> trial_;  // legs of the trial
-  int idle_ = 0;            // trials since the last progress
-  double progress_cost_;    // cost of the route at the last progress
+  int idle_ = 0;            // trials since the last gain
 };
 
 }  // namespace vandplan::anytime
