@@ -26,10 +26,6 @@ constexpr double surely = 0.1;
 // Bounds beyond all worlds. They are finite, since checks subtract them.
 constexpr Bounds everywhere{-1e8, 1e8, -1e8, 1e8};
 
-bool is_restricted(const Zone& zone) {
-  return zone.closed || zone.gears != AllowedGears::both || zone.direction;
-}
-
 double furthest_of(const Footprint& body) {
   return std::hypot(std::max(body.rear, body.front), body.half_width);
 }
@@ -127,6 +123,10 @@ void add_crossings(const Pose& from, const Segment& segment, const Bounds& axle,
 
 }  // namespace
 
+bool has_rules(const Zone& zone) noexcept {
+  return zone.closed || zone.gears != AllowedGears::both || zone.direction;
+}
+
 /// A zone with what is needed to find out where it holds.
 struct Zones::Checked {
   Checked(const Vehicle& vehicle, const Zone& of)
@@ -198,7 +198,7 @@ Zones::Zones(const Vehicle& vehicle, std::span<const Zone> zones, std::span<cons
     : vehicle_(vehicle) {
   for (const Zone& zone : zones) all_.emplace_back(vehicle, zone);
   for (const Checked& each : all_) {
-    if (is_restricted(each.zone)) ruling_.push_back({each.box, &each});
+    if (has_rules(each.zone)) ruling_.push_back({each.box, &each});
     if (each.zone.cost != 1.0 || each.zone.max_speed) telling_.push_back({each.box, &each});
   }
   for (const Mask& mask : masks) {

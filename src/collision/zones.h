@@ -18,6 +18,9 @@
 
 namespace vandplan::collision {
 
+/// Whether a zone forbids something, and does not only have a price or a speed.
+[[nodiscard]] bool has_rules(const Zone& zone) noexcept;
+
 /// Zones of one vehicle, and the masks that limit speeds or have prices.
 class Zones {
  public:

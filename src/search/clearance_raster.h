@@ -27,8 +27,8 @@ class ClearanceRaster {
   /// Clearance at a pose with this cosine and sine of the heading [m]; negative if bodies overlap.
   /// Requires that `step` is finished. Map cells are looked up when first asked for.
   [[nodiscard]] float clearance(float x, float y, float cos, float sin) noexcept;
-  /// Whether a pose with enough clearance is free: there are no kerbs and zones, and the body is a
-  /// rectangle.
+  /// Whether a pose with enough clearance is free: there are neither kerbs nor rules of
+  /// zones, and the body is a rectangle.
   [[nodiscard]] bool is_trusted() const noexcept { return is_trusted_; }
   /// Approximate error of the clearance [m].
   [[nodiscard]] float fineness() const noexcept { return static_cast<float>(raster_.side) / 4; }

@@ -65,6 +65,32 @@ void SiteField::set_ground(const Task& task) {
       std::make_unique<search::ClearanceRaster>(task_, geometry::widened(box_, reach), largest_);
   while (raster_->step()) {
   }
+  find_priced_cells(longest, reach);
+}
+
+/// `longest`: of the steps [m], `reach`: of the body from the rear axle [m].
+void SiteField::find_priced_cells(double longest, double reach) {
+  const double around = longest + grid_.cell;  // from the middle of a cell
+  std::vector<Bounds> boxes;
+  const Surroundings& ground = task_.world->local();
+  for (const Zone& zone : ground.zones) {
+    if (zone.cost == 1.0) continue;
+    const double aside = zone.body ? reach : 0.0;
+    boxes.push_back(geometry::widened(bounding_box(zone.area), around + aside));
+  }
+  for (const Mask& mask : ground.masks) {
+    if (mask.use != MaskUse::cost) continue;
+    boxes.push_back(geometry::widened(bounding_box(outline(mask.map)), around));
+  }
+  priced_.clear();
+  for (std::int32_t row = 0; row < grid_.rows; ++row) {
+    for (std::int32_t column = 0; column < grid_.columns; ++column) {
+      const Point middle{box_.x_min + (column + 0.5) * grid_.cell,
+                         box_.y_min + (row + 0.5) * grid_.cell};
+      priced_.push_back(std::any_of(boxes.begin(), boxes.end(),
+                                    [&](const Bounds& box) { return contains(box, middle); }));
+    }
+  }
 }
 
 void SiteField::make_steps() {
@@ -202,10 +228,12 @@ bool SiteField::is_better(const Offer& offer) const noexcept {
 /// Cost that small clearance and zones add to a step.
 float SiteField::surcharge(const Label& from, const Label& to) const {
   const float near = to.near + from.near;
-  if (near == 0.0F && !rule_.has_priced_ground) return 0.0F;
+  const bool has_price =
+      rule_.has_priced_ground && priced_[static_cast<std::size_t>(cell_of(from.x, from.y))];
+  if (near == 0.0F && !has_price) return 0.0F;
   const Segment step = site_step(grid_, to.gear, to.arc);
   double metres = std::abs(step.length);
-  if (rule_.has_priced_ground) {
+  if (has_price) {
     metres = 0.0;
     for (const GroundPart& part : task_.checker->ground_along(pose(from), step)) {
       metres += part.cost * (part.end - part.begin);

@@ -85,6 +85,7 @@ class SiteField {
   static constexpr int arcs = 2 * arcs_of_site + 1;
 
   void set_ground(const Task& task);
+  void find_priced_cells(double longest, double reach);
   void make_steps();
   void reset();
   void root();
@@ -136,8 +137,9 @@ class SiteField {
   PlanOptions options_;
   search::CostRule rule_;
   std::unique_ptr<search::ClearanceRaster> raster_;
-  double turn_;     // between two headings [rad]
-  double largest_;  // largest clearance that matters [m]
+  std::vector<bool> priced_;  // of each cell: whether a step from there may meet ground at a price
+  double turn_;               // between two headings [rad]
+  double largest_;            // largest clearance that matters [m]
   float x_min_, y_min_, x_end_, y_end_, cells_of_metre_, buckets_of_metre_, most_;
   float gear_change_, turning_, clearance_weight_, clearances_of_metre_;
   std::vector<Step> steps_;

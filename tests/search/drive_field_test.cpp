@@ -130,6 +130,18 @@ TEST(ClearanceRaster, IsNoGroundForTrustBesideKerbsOrWithAnOutline) {
   EXPECT_FALSE(ClearanceRaster(with_outline.task(), area, 1.0).is_trusted());
 }
 
+TEST(ClearanceRaster, IsTrustedWhereZonesForbidNothing) {
+  const auto is_trusted = [](const Zone& zone) {
+    const Problem problem = problem_in({.bounds = area, .zones = {zone}}, {}, {20, 0, 0});
+    return ClearanceRaster(problem.task(), area, 1.0).is_trusted();
+  };
+  const Polygon square = box(-5, 5, 5, 15);
+  EXPECT_TRUE(is_trusted({.area = square, .cost = 3.0, .max_speed = 2.0}));
+  EXPECT_FALSE(is_trusted({.area = square, .closed = true}));
+  EXPECT_FALSE(is_trusted({.area = square, .gears = AllowedGears::forward}));
+  EXPECT_FALSE(is_trusted({.area = square, .direction = HeadingRange{-1, 1}}));
+}
+
 // ---- field ----
 
 struct Fields {

@@ -216,6 +216,26 @@ TEST(SiteTable, WaysLeadAroundDearGround) {
   EXPECT_LT(straight->cost, 42);
 }
 
+TEST(SiteTable, StepsFarFromDearGroundNeedNotAskForItsPrice) {
+  // A price so small that no cost shows it makes all steps ask.
+  const Zone everywhere{.area = box(-40, -40, 80, 40), .cost = 1 + 1e-15};
+  const OccupancyGrid cells{.origin = {12, -10, 0.3},
+                            .columns = 4,
+                            .rows = 6,
+                            .cells = std::vector<Cell>(24, Cell::occupied)};
+  for (const bool body : {false, true}) {
+    const Zone dear{.area = box(-5, -8, 5, 8), .cost = 5.0, .body = body};
+    Scenario scenario = with_zones({-20, 0, 0}, {20, 0, 0}, {dear});
+    scenario.obstacles = {box(-30, -30, -29, -29)};
+    scenario.masks = {cost_mask(cells, 3.0)};
+    const SiteTable near = table_to(make_problem(scenario), drivers_options());
+    scenario.zones.push_back(everywhere);
+    const SiteTable all = table_to(make_problem(scenario), drivers_options());
+    constexpr std::size_t head = 96;  // it names the world
+    EXPECT_EQ(site_table_to_bytes(near).substr(head), site_table_to_bytes(all).substr(head));
+  }
+}
+
 TEST(SiteTable, WhatItsStepsTouchIsNoWay) {
   // The table was made for a world without the wall: only its steps tell.
   const Pose start{-30, 0, 0};
