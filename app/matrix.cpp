@@ -53,6 +53,10 @@ int make(const MatrixArguments& arguments) {
   const ScenarioProblems read = read_problems(arguments.scenario);
   warn(read.file.warnings);
   const Problem& problem = read.problems.front();
+  if (problem.vehicle().trailer) {
+    throw InputError(arguments.scenario,
+                     "has a trailer, expected none: a table knows ways of the tractor alone");
+  }
   const Planner& planner = default_planner();
   const PlanOptions options = complete(
       planner, options_for(planner, read.file.options, arguments.options), problem.vehicle());

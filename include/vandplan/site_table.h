@@ -7,9 +7,10 @@
 //   options.site = std::make_shared<const vandplan::SiteTable>(*table);
 //   const auto result = vandplan::plan(problem, options);
 //
-// The default planner begins with the way of the table. If the table has no free way, it plans
-// without. Of a set of goals and of vias, those poses begin so that the table has as goals. The
-// searches of graphs.h and the thesis' trees take the table's costs as the estimate "site".
+// The default planner begins with the way of the table. With a trailer, the first path that the rig
+// tries to follow is the way of the tractor alone. If the table has no free way, it plans without.
+// Of a set of goals and of vias, those poses begin so that the table has as goals. The searches of
+// graphs.h and the thesis' trees take the table's costs as the estimate "site".
 //
 // Method, size and errors: docs/algorithms/site_tables.md.
 
@@ -85,12 +86,12 @@ class SiteTable {
 
 /// Makes a table of a problem's world and vehicle to some goals, in the scenario's frame. Start and
 /// goal of the problem do not matter. The options must be complete (`complete` of planner.h);
-/// steering and budget do not matter. None if `stop` was asked to stop. Throws InputError naming:
+/// steering and budget do not matter. A trailer is left out: the table is that of the tractor
+/// alone. None if `stop` was asked to stop. Throws InputError naming:
 ///
 /// - "goals" if there are none, "goals[2]" for one that is not free or out of range,
 /// - "headings", "cell" or "threads" out of range, "cell" also if there are too many cells,
-/// - "cost" if the cost is the time, "trailers" if the vehicle has a trailer, "moving" if obstacles
-///   move.
+/// - "cost" if the cost is the time, "moving" if obstacles move.
 [[nodiscard]] std::optional<SiteTable> make_site_table(const Problem& problem,
                                                        std::span<const Pose> goals,
                                                        const PlanOptions& options,
@@ -140,8 +141,8 @@ struct SiteWay {
 /// The way of a table from a problem's start to its goal. None if no free one was found: the start
 /// is not free, outside of the table, or in a place that the goal cannot be reached from. The
 /// options must be complete. Throws InputError naming "site" if the table was made for something
-/// else (`SiteTable::expect_made_for`), if it has no such goal, or if the problem has a set of
-/// goals, vias or moving obstacles.
+/// else (`SiteTable::expect_made_for`), if it has no such goal, or if the problem has a trailer, a
+/// set of goals, vias or moving obstacles.
 [[nodiscard]] std::optional<SiteWay> site_way(const SiteTable& table, const Problem& problem,
                                               const PlanOptions& options);
 

@@ -14,7 +14,7 @@ namespace vandplan::sites {
 /// goal, nor on the frame of its world. Coordinates count in whole micrometres.
 struct SiteKey {
   std::uint64_t world = 0;    ///< bounds, obstacles, kerbs, areas of `inside`, maps, zones
-  std::uint64_t vehicle = 0;  ///< body, turning radius, whether there is a trailer
+  std::uint64_t vehicle = 0;  ///< body and turning radius, without a trailer
   std::uint64_t prices = 0;   ///< prices of the path, gears, margin
 };
 

@@ -17,8 +17,15 @@ void check(const Problem& problem, std::span<const Pose> goals, const PlanOption
   require(table.cell >= 0.01 && table.cell <= 1.0, "cell", "0.01 to 1 turning radii");
   require(table.threads >= 1 && table.threads <= 256, "threads", "1 to 256");
   require(options.cost.measure == CostMeasure::prices, "cost", "prices: a table knows no times");
-  require(!problem.vehicle().trailer, "trailers", "none: a table knows no trailers");
   require(problem.task().moving.empty(), "moving", "none: a table knows no moving obstacles");
+}
+
+/// The problem of the tractor alone.
+Problem without_trailer(const Problem& problem) {
+  if (!problem.vehicle().trailer) return problem;
+  Vehicle tractor = problem.vehicle();
+  tractor.trailer.reset();
+  return make_problem(problem.world(), tractor, problem.start(), problem.goal());
 }
 
 /// [1] Box around what the tasks reach, in the world's frame.
@@ -67,7 +74,8 @@ Problem between(const Problem& problem, const Pose& start, const Pose& goal,
 
 Task task_to(const Problem& problem, const Pose& goal, std::size_t number,
              const PlanOptions& options) {
-  return task_of(between(problem, goal, goal, place_in("goals", number)), options.clearance);
+  const Problem alone = without_trailer(problem);
+  return task_of(between(alone, goal, goal, place_in("goals", number)), options.clearance);
 }
 
 Site site_of(const Problem& problem, std::span<const Pose> goals, const PlanOptions& options,

@@ -20,6 +20,7 @@ using search::Connector, search::CostRule;
 using sites::SiteData, sites::SiteGrid, sites::SiteLayer, sites::between, sites::place_in,
     sites::require;
 
+constexpr const char* no_trailer = "no trailer: a table knows ways of the tractor alone";
 constexpr std::size_t starts_of_block = 256;  // starts of a matrix that a thread takes at once
 
 }  // namespace
@@ -60,6 +61,7 @@ std::optional<SiteWay> site_way(const SiteTable& table, const Problem& problem,
                                 const PlanOptions& options) {
   const bool is_one = problem.goal_set().empty() && problem.via().empty();
   require(is_one, "site", "one goal, no set of goals or vias");
+  require(!problem.vehicle().trailer, "site", no_trailer);
   const Task task = task_of(problem, options.clearance);
   sites::expect_serves(table, task, options);
   std::optional<SiteWay> way = sites::way_in_world(table, task, options.cost);
@@ -72,6 +74,7 @@ std::vector<SiteCost> site_matrix(const SiteTable& table, const Problem& problem
                                   int threads) {
   table.expect_made_for(problem, options);
   require(problem.task().moving.empty(), "site", "no moving obstacles: a table knows none");
+  require(!problem.vehicle().trailer, "site", no_trailer);
   const std::vector<Pose>& goals = table.goals();
   const CostRule rule = search::cost_rule(options.cost);  // bounds leave zones out
   std::vector<SiteCost> costs(starts.size() * goals.size());

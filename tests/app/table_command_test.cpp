@@ -420,6 +420,14 @@ TEST_F(TableCommand, OfASiteGivesAMatrix) {
   (void)json_of({"site", scenario, "--goals", goals, "-o", table});
   EXPECT_EQ(matrix({"--site", table}).status, 0);
   EXPECT_EQ(content_of(folder_ / "m.csv"), made);
+  std::string rig = content_of(scenario);
+  rig.insert(rig.find("}\nbounds"),
+             ", trailers: [{wheelbase: 5, front_overhang: 1, rear_overhang: 1, width: 2}]");
+  write_content(scenario, rig);
+  EXPECT_EQ(matrix({"--site", table}).err,
+            "vandplan: " + scenario +
+                ": has a trailer, expected none: a table knows ways of the tractor alone\n");
+  write_content(scenario, yard_from("{x: 10, y: 15, heading: 3}"));
   write_content(goals, "20,-10,1\n");
   EXPECT_EQ(matrix({"--site", table}).err, "vandplan: " + goals + ": has other goals than " +
                                                table + ", expected the same in the same order\n");

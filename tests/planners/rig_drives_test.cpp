@@ -15,6 +15,7 @@
 #include "planners/rig/behind_tractor.h"
 #include "support/cases.h"
 #include "support/problems.h"
+#include "support/sites.h"
 #include "vandplan/planner.h"
 #include "vandplan/vehicle.h"
 
@@ -52,12 +53,15 @@ Problem blocks(Pose goal) {
   return make_problem(scenario);
 }
 
-/// The segments of a drive along the first path of the tractor; none if there is none.
-std::optional<std::vector<Segment>> followed(const Problem& problem) {
+/// The segments of a drive along the first path of the tractor; none if there is none. `site`: a
+/// table of the site, or null.
+std::optional<std::vector<Segment>> followed(const Problem& problem,
+                                             const SiteTable* site = nullptr,
+                                             std::int64_t work = is_sanitized ? 500 : 4000) {
   const PlanOptions options = complete(default_planner(), {}, problem.vehicle());
   const planning::Pricing pricing(problem.task(), options.cost);
-  const std::int64_t work = is_sanitized ? 500 : 4000;
-  BehindTractor source(std::make_shared<const Setting>(problem.task(), options, pricing), work, 1);
+  BehindTractor source(std::make_shared<const Setting>(problem.task(), options, pricing, site),
+                       work, 1);
   const search::Budget budget({});
   for (std::int64_t done = 0; done < 2 * work;) {
     done += source.work(2 * work - done, budget);
@@ -78,6 +82,18 @@ TEST(DriveBehindTractor, LeadsARigThroughStreets) {
   EXPECT_GT(length(*drive), 300);
   if (is_sanitized) return;  // it is no short one in so few iterations
   EXPECT_LT(length(*drive), 400);
+}
+
+TEST(DriveBehindTractor, BeginsWithTheWayOfATable) {
+  const Problem problem = blocks({168, 210, pi / 2});
+  const PlanOptions options = complete(default_planner(), {}, problem.vehicle());
+  const SiteTable table =
+      make_site_table(problem, std::vector{problem.goal()}, options, sites::coarse).value();
+  const std::int64_t work = 400;
+  const auto drive = followed(problem, &table, work);
+  ASSERT_TRUE(drive);
+  expect_free_drive_to_goal(problem.task(), *drive);
+  EXPECT_NE(followed(problem, nullptr, work), drive);
 }
 
 TEST(DriveBehindTractor, IsNoneWhereTheTractorHasNoPath) {

@@ -44,7 +44,7 @@ TEST(SiteRefusal, IsRefusedForAnotherWorldVehicleOrPrices) {
             "site: the table was made for another world: bounds, obstacles, maps or zones differ");
   const Vehicle wide{.width = 2.6};
   EXPECT_EQ(told(problem_of({20, 0, 0}, {0, 0, 0}, wall, area, wide), drivers_options()),
-            "site: the table was made for another vehicle: its body, radius or trailer differs");
+            "site: the table was made for another vehicle: its body or radius differs");
   PlanOptions other = drivers_options();
   other.cost.reverse_weight = 3;
   EXPECT_EQ(told(problem, other),
@@ -102,8 +102,14 @@ TEST(SiteRefusal, IsRefusedForMovingObstaclesAndTrailers) {
   EXPECT_EQ(refusal([&] { (void)table_to(busy, drivers_options()); }),
             "moving: expected none: a table knows no moving obstacles");
   const Problem rig = problem_of({20, 0, 0}, {0, 0, 0}, {box(9, 9, 12, 12)}, area, semitrailer());
-  EXPECT_EQ(refusal([&] { (void)plan(rig, using_site(table)); }),
-            "site: the table was made for another vehicle: its body, radius or trailer differs");
+  const SiteTable of_tractor = table_to(rig, drivers_options());
+  const std::string no_trailer =
+      "site: expected no trailer: a table knows ways of the tractor alone";
+  EXPECT_EQ(refusal([&] { (void)site_way(of_tractor, rig, drivers_options()); }), no_trailer);
+  EXPECT_EQ(refusal([&] {
+              (void)site_matrix(of_tractor, rig, std::vector<Pose>{{20, 0, 0}}, drivers_options());
+            }),
+            no_trailer);
   const Problem any = with_goal_set(problem, {region_of_pose({0, 0, 0})});
   EXPECT_EQ(refusal([&] { (void)site_way(table, any, drivers_options()); }),
             "site: expected one goal, no set of goals or vias");
@@ -124,11 +130,6 @@ TEST(SiteRefusal, IsRefusedWithOptionsOutOfRange) {
   PlanOptions by_time = drivers_options();
   by_time.cost = {.measure = CostMeasure::time};
   EXPECT_EQ(told(goals, coarse, by_time), "cost: expected prices: a table knows no times");
-  EXPECT_EQ(refusal([&] {
-              const Problem rig = problem_of({20, 0, 0}, {0, 0, 0}, {}, area, semitrailer());
-              (void)make_site_table(rig, goals, drivers_options(), coarse);
-            }),
-            "trailers: expected none: a table knows no trailers");
   const Problem wide = problem_of({}, {0, 0, 0}, {box(1e5, 0, 1e5 + 1, 1), box(0, 1e5, 1, 1e5 + 1)},
                                   {-1e6, 1e6, -1e6, 1e6});
   EXPECT_EQ(refusal([&] { (void)make_site_table(wide, goals, drivers_options(), coarse); }),

@@ -392,6 +392,22 @@ TEST(SiteTable, GivesThePlannerItsFirstPath) {
   EXPECT_GE(planned, cases(6) * 2 / 3);
 }
 
+TEST(SiteTable, OfARigIsThatOfItsTractor) {
+  const std::vector<Polygon> walls = {box(-21, -40, -20, 20), box(-1, -20, 0, 40)};
+  const Problem rig =
+      problem_of({-31, -20, pi / 2}, {31, -10, -pi / 2}, walls, area, semitrailer());
+  Vehicle tractor = rig.vehicle();
+  tractor.trailer.reset();
+  const PlanOptions prices = complete(default_planner(), {}, tractor);
+  const SiteTable table = table_to(rig, prices);
+  const Problem alone = make_problem(rig.world(), tractor, rig.start(), rig.goal());
+  EXPECT_EQ(site_table_to_bytes(table), site_table_to_bytes(table_to(alone, prices)));
+  EXPECT_TRUE(site_way(table, alone, prices));
+  PlanOptions options;
+  options.budget.max_iterations = 2000;
+  EXPECT_TRUE(plan(rig, using_site(table, options)).path);
+}
+
 TEST(SiteTable, BeginsTheSearchesForTheGoalsOfASet) {
   const std::vector<Polygon> wall = {box(-38, 9, 30, 10)};
   const Problem problem = problem_of({-20, 20, 0}, {0, 0, 0}, wall, area);

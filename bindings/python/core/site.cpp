@@ -213,7 +213,9 @@ Computes what driving costs from everywhere on a site to each goal.
 - `jobs`: threads that share the goals.
 - `options`: options of `plan` that set prices, gears and margin.
 
-Raises InputError for a goal that is not free, a trailer, or cost="time".)");
+A trailer is left out: the table is that of the tractor alone.
+
+Raises InputError for a goal that is not free, or cost="time".)");
   module.def("matrix", &matrix, "scenario"_a, "starts"_a, "goals"_a, py::kw_only(), "jobs"_a = 1,
              R"(matrix(scenario, starts, goals, *, jobs=1, **options) -> (cost, lower_bound)
 

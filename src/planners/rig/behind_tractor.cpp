@@ -13,6 +13,7 @@
 #include "planners/anytime/anytime.h"
 #include "planners/rig/exact_drive.h"
 #include "planners/rig/rig_search.h"
+#include "sites/way.h"
 #include "vandplan/random.h"
 #include "vandplan/vehicle.h"
 
@@ -218,6 +219,25 @@ BehindTractor::BehindTractor(std::shared_ptr<const Setting> setting, std::int64_
 
 BehindTractor::~BehindTractor() = default;
 
+// Begins to follow the way that a table of the site knows for the tractor. False without one.
+bool BehindTractor::follow_table() {
+  const bool may_ask = setting_->site != nullptr && !has_asked_table_;
+  has_asked_table_ = true;
+  if (!may_ask) return false;
+  const Task alone = tractor_task(setting_->task, 0.0);
+  const auto way = sites::way_in_world(*setting_->site, alone, setting_->options.cost);
+  if (!way || way->path.segments.empty()) return false;
+  follow_way(way->path.segments);
+  return true;
+}
+
+void BehindTractor::follow_way(std::span<const Segment> way) {
+  const search::CostRule rule =
+      search::restricted(search::cost_rule(driver_style), setting_->options.cost.gears);
+  follower_ = std::make_unique<Follower>(setting_->task, rule, way);
+  work_left_ = most_work_;
+}
+
 // [1] Begins to plan a path of the tractor, on another radius each time.
 void BehindTractor::begin(const Budget& budget) {
   const std::size_t path = paths_++;
@@ -253,11 +273,7 @@ std::int64_t BehindTractor::plan(std::int64_t most) {
   if (goes_on && work_left_ > 0) return steps;
   const std::optional<std::vector<Segment>> way = path_->path();
   path_.reset();
-  if (!way || way->empty()) return steps;
-  const search::CostRule rule =
-      search::restricted(search::cost_rule(driver_style), setting_->options.cost.gears);
-  follower_ = std::make_unique<Follower>(setting_->task, rule, *way);
-  work_left_ = most_work_;
+  if (way && !way->empty()) follow_way(*way);
   return steps;
 }
 
@@ -278,7 +294,11 @@ std::int64_t BehindTractor::work(std::int64_t most, const Budget& budget) {
       steps += plan(most - steps);
       continue;
     }
-    follower_ ? follow() : begin(budget);
+    if (follower_) {
+      follow();
+    } else if (!follow_table()) {
+      begin(budget);
+    }
     ++steps;
   }
   return steps;

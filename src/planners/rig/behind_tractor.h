@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "planners/path_search.h"
 #include "planners/rig/chain_source.h"
@@ -18,7 +19,8 @@ namespace vandplan::rig {
 /// A path of the tractor, and what the trailer does behind it.
 class Follower;
 
-/// Plans paths of the tractor alone, one after the other, and follows each. Where the rig cannot
+/// Plans paths of the tractor alone, one after the other, and follows each. The first one is the
+/// way of a table of the site, if there is one. Where the rig cannot
 /// follow, searches replace parts of the path.
 class BehindTractor final : public ChainSource {
  public:
@@ -34,12 +36,15 @@ class BehindTractor final : public ChainSource {
 
  private:
   void begin(const search::Budget& budget);
+  bool follow_table();
+  void follow_way(std::span<const Segment> way);
   std::int64_t plan(std::int64_t most);
   void follow();
 
   std::shared_ptr<const Setting> setting_;
   std::int64_t most_work_;
   std::uint64_t seed_;
+  bool has_asked_table_ = false;                // whether the way of the table was looked for
   std::size_t paths_ = 0;                       // paths begun so far
   std::int64_t work_left_ = 0;                  // work left for the path, or for following it
   std::optional<Task> alone_;                   // task of the tractor

@@ -7,13 +7,15 @@
 #include "planners/rig/towed.h"
 
 namespace vandplan::rig {
-Setting::Setting(const Task& of, const PlanOptions& with, const planning::Pricing& prices)
+Setting::Setting(const Task& of, const PlanOptions& with, const planning::Pricing& prices,
+                 const SiteTable* table)
     : task(of),
       options(with),
       pricing(prices),
       wheels(prices.counts_time() ? with_softer_wheels(of) : std::deque<Task>{of}),
       bare(without_margin(of, with.clearance.margin)),
       towed(towed_task(of)),
+      site(table),
       guides(of),
       unit(search_unit(of.vehicle)) {}
 

@@ -18,8 +18,9 @@ namespace vandplan::rig {
 
 /// Task, prices, and wheels of one rig. Nothing in it changes while workers work.
 struct Setting {
-  /// Task and pricing outlive the setting.
-  Setting(const Task& of, const PlanOptions& with, const planning::Pricing& prices);
+  /// Task, pricing and table outlive the setting.
+  Setting(const Task& of, const PlanOptions& with, const planning::Pricing& prices,
+          const SiteTable* table = nullptr);
 
   const Task& task;
   PlanOptions options;
@@ -29,6 +30,7 @@ struct Setting {
   std::deque<Task> wheels;
   std::optional<Task> bare;  ///< task without its margin; none without a margin
   Task towed;                ///< task of the trailer alone
+  const SiteTable* site;     ///< table that may have the goal; null: none
   Guides guides;
   double unit;  ///< unit of the steps of a search [m]
 };
