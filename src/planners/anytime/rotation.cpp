@@ -6,7 +6,7 @@ namespace vandplan::anytime {
 namespace {
 
 constexpr double slack_of_rotation = 1.1;    // a route may cost so many times the best
-constexpr std::int64_t turn = 256;           // expansions of a turn
+constexpr std::int64_t one_turn = 256;       // expansions of a turn
 constexpr std::int64_t first_turn = 1024;    // expansions of the first turn of the coarsest search
 constexpr std::int64_t max_nodes = 100'000;  // nodes of one search
 
@@ -24,7 +24,7 @@ Rotation::Rotation(const LocalPose& root, const LocalPose& target, const DrivenB
 bool Rotation::begin_turn() {
   for (std::size_t tried = 0; tried < lattices_.size(); ++tried) {
     current_ = (current_ + 1) % lattices_.size();
-    left_ = turn;
+    left_ = one_turn;
     if (lattices_[current_]) return true;
   }
   finished_ = true;
