@@ -49,7 +49,7 @@ TEST(RosWays, PassesViaPointsInTheirOrder) {
   const Answer answer = way_of(request);
   ASSERT_EQ(answer.outcome, Outcome::solved) << answer.message;
   EXPECT_TRUE(passes(answer, request, {{{region_of_pose(first)}}, {{region_of_pose(second)}}}));
-  EXPECT_GT(length(*answer.path), 40.0);
+  EXPECT_GT(length(*answer.path), 35.0);  // straight lines in the other order: 25 m
   EXPECT_GE(answer.cost, length(*answer.path) - 1e-6);
   request.rear_axle = 0.1;
   EXPECT_TRUE(passes(way_of(request), small_request({3.1, 3, 0}, {17.1, 3, 0}),
