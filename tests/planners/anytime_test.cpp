@@ -70,10 +70,16 @@ TEST(Anytime, AnyNumberOfThreadsGivesTheSameAnswer) {
   }
 }
 
-// Rounds get longer, but not without end.
-TEST(Anytime, RoundsGrow) {
+// However short the first rounds are: the least share is an iteration in some of them only.
+TEST(Anytime, WorkersGetTheirSharesWithBending) {
+  std::int64_t of_one = 0, of_many = 0;
   for (std::int64_t round = 0; round < 300; ++round) {
-    EXPECT_EQ(anytime::growth(round), round < 120 ? 1 + round / 8 : 16);
+    const std::int64_t many = anytime::growing_share(96, round);
+    EXPECT_GE(many, round == 0 ? 24 : anytime::growing_share(96, round - 1));
+    of_one += anytime::growing_share(1, round);
+    of_many += many;
+    EXPECT_LE(96 * of_one, of_many);
+    EXPECT_LT(of_many, 96 * (of_one + 1));
   }
 }
 

@@ -92,7 +92,7 @@ TEST(RigPlanning, ASourceProposesPathsOfTheTractor) {
       with_sources({{.name = "yesterday", .make = [&](const auto&, const auto&) {
                        return std::make_unique<Yesterday>(path, heard);
                      }}});
-  const PlanResult result = plan(problem, planner, with_iterations(1000));
+  const PlanResult result = plan(problem, planner, with_iterations(300));
   ASSERT_TRUE(result.path);
   EXPECT_LE(result.cost, known.cost * (1 + 1e-9));
   EXPECT_GT(heard, 0);

@@ -189,7 +189,7 @@ Share Composer::with_route(const Row& row) const {
   if (!bends_ || rule_.is_length()) {
     return [share](const Progress& now) { return share * growth(now.rounds); };
   }
-  return [share](const Progress& now) { return share * growth(now.rounds_with_route); };
+  return [share](const Progress& now) { return growing_share(share, now.rounds_with_route); };
 }
 
 Share Composer::share(const Row& row) const {
@@ -262,7 +262,7 @@ void Composer::add_survey() {
     if (is_early && now.rounds_with_route < shares::rounds_without_work) return 0;
     const std::int64_t first = has_relaxed && is_glance ? shares::first_glance : shares::first_pass;
     const bool is_first = is_glance || survey->is_first_pass();
-    return (is_first ? first : shares::survey.by_prices) * growth(now.rounds_with_route);
+    return growing_share(is_first ? first : shares::survey.by_prices, now.rounds_with_route);
   };
   Slot& slot = add("survey", std::move(worker), std::move(share));
   slot.is_relaxed = has_relaxed();
@@ -296,11 +296,12 @@ void Composer::add_cheapest_drive() {
   const auto cost = [&pricing = *pricing_](const Route& route) { return pricing.cost(route); };
   // The clearance of bent drives has no price.
   const Bender::Measure cost_of_bent = pricing_->is_time() ? pricing_->measure() : nullptr;
-  Slot& slot = add(
-      "cheapest drive",
-      std::make_unique<CheapestDrive>(task_, rule_, seed(stream::cheapest_drive), cost,
-                                      cost_of_bent),
-      [](const Progress& now) { return shares::cheapest_drive * growth(now.rounds_with_route); });
+  Slot& slot = add("cheapest drive",
+                   std::make_unique<CheapestDrive>(task_, rule_, seed(stream::cheapest_drive), cost,
+                                                   cost_of_bent),
+                   [](const Progress& now) {
+                     return growing_share(shares::cheapest_drive, now.rounds_with_route);
+                   });
   slot.phase = Phase::after;
 }
 
@@ -312,7 +313,7 @@ void Composer::add_proposals(const NamedSource& source, std::uint64_t number) {
   };
   add(source.name, std::make_unique<Seeker>(task_, rule_, scope_, own_seed, std::move(make)),
       [share = source.share](const Progress& now) {
-        return now.has_route ? share * growth(now.rounds_with_route) : share;
+        return now.has_route ? growing_share(share, now.rounds_with_route) : share;
       });
 }
 

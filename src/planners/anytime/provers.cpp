@@ -71,7 +71,7 @@ bool has_rules_of_ground(const Task& task) {
 Share share_of_zone_prover(std::int64_t factor) {
   return [factor](const Progress& now) {
     const std::int64_t steps = now.is_settled ? shares::settled_zone_steps : shares::zone_steps;
-    return now.has_route ? factor * steps * growth(now.rounds_with_route) : 0;
+    return now.has_route ? growing_share(factor * steps, now.rounds_with_route) : 0;
   };
 }
 

@@ -97,5 +97,17 @@ inline constexpr std::int64_t zone_steps_by_time = 8;
 constexpr std::int64_t growth(std::int64_t round) {
   return std::min<std::int64_t>(1 + round / 8, 16);
 }
+/// Sum of the growing factors of all rounds before `round`, in eighths; `round` counts rounds with
+/// a route. Rounds are short at first, so that workers soon hear of each other's routes.
+constexpr std::int64_t eighths_due(std::int64_t round) {
+  constexpr std::int64_t growing = 126;
+  const std::int64_t grown = std::min(round, growing);
+  return grown * (grown + 3) / 2 + (round - grown) * (growing + 2);
+}
+/// Iterations of a worker in a round whose share grows; the first round with a route is 0. Trials
+/// are slow here and the first ones gain most, so rounds start short.
+constexpr std::int64_t growing_share(std::int64_t share, std::int64_t round) {
+  return share * eighths_due(round + 1) / 8 - share * eighths_due(round) / 8;
+}
 
 }  // namespace vandplan::anytime

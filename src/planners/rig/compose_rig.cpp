@@ -62,7 +62,7 @@ constexpr std::int64_t steps_of_proof = 128, most_doublings_of_proof = 7;
 
 Share share(const Turns& turns, std::int64_t first_round) {
   return [turns, first_round](const Progress& now) {
-    if (now.has_route) return turns.with_drive * anytime::growth(now.rounds_with_route);
+    if (now.has_route) return anytime::growing_share(turns.with_drive, now.rounds_with_route);
     if (now.rounds < first_round) return std::int64_t{0};
     return turns.until_drive << std::min(now.rounds - first_round, most_doublings);
   };
@@ -139,7 +139,7 @@ void add_workers(anytime::Portfolio& portfolio, const Task& task, const PlanOpti
             setting, std::make_unique<Proposed>(setting, source.make(task, setting->options)),
             stream_seed(seed(of_proposals), i)),
         [turn = source.share](const Progress& now) {
-          return now.has_route ? turn * anytime::growth(now.rounds_with_route) : turn;
+          return now.has_route ? anytime::growing_share(turn, now.rounds_with_route) : turn;
         });
   }
   add("wall prover", wall_prover(*setting), [](const Progress&) { return 0; });
