@@ -93,7 +93,8 @@ std::unique_ptr<anytime::WallProver> wall_prover(const Setting& setting) {
 
 void add_workers(anytime::Portfolio& portfolio, const Task& task, const PlanOptions& options,
                  const anytime::Given& given) {
-  const auto setting = std::make_shared<const Setting>(task, options, *portfolio.pricing, given.site);
+  const auto setting =
+      std::make_shared<const Setting>(task, options, *portfolio.pricing, given.site);
   const auto seed = [&options](std::uint64_t stream) {
     return stream_seed(options.budget.seed, stream);
   };
