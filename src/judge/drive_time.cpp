@@ -12,7 +12,7 @@ namespace {
 // Largest turn of the wheels at a joint that needs no stop [rad].
 constexpr Real ignored_turn = 1e-6;
 constexpr Real least_motion = 1e-9;  // stretches of less total length are passed over [m]
-constexpr Real least_places = 200;   // least number of samples of a stretch
+constexpr Real least_places = 200;   // least number of samples between two limits
 constexpr Real usual_step = 1e-2;    // usual distance between samples [m]
 constexpr Real most_places = 2e6;    // largest number of samples of a path
 
@@ -71,22 +71,32 @@ std::vector<Real> ends_between(const std::vector<Place>& stops, std::size_t i, R
   return ends;
 }
 
-/// Adds places of stretch `i` between two of its lengths. They are denser near both, where the
-/// vehicle may reach its speed within a tiny distance. `part`: the part that holds there, moved on.
-void add_places(const Stretch& stretch, std::size_t i, Real begin, Real end, Real count,
-                const Vehicle& vehicle, const std::vector<PricedPart>& parts, std::size_t& part,
+/// How densely a path is sampled.
+struct Sampling {
+  Real step = 0;   // largest distance between samples [m]
+  Real least = 0;  // least number of samples between two limits
+};
+
+/// Adds places of stretch `i` between two of its lengths. They are denser near both, and near each
+/// place where a limit begins or ends: there the vehicle may reach its speed within a tiny
+/// distance. `part`: the part that holds there, moved on.
+void add_places(const Stretch& stretch, std::size_t i, Real begin, Real end,
+                const Sampling& sampling, const Vehicle& vehicle,
+                const std::vector<PricedPart>& parts, std::size_t& part,
                 std::vector<FastPlace>& places) {
-  const auto add = [&](Real t, Real most) {
-    places.push_back({stretch.s + t, std::min(square_at(stretch, t, vehicle), most * most)});
-  };
-  for (Real k = 0; k <= count; ++k) {
-    const Real t = begin + (end - begin) * (1 - std::cos(full_turn / 2 * k / count)) / 2;
-    // Both sides of each place where a limit begins or ends.
-    for (; part + 1 < parts.size() && parts[part + 1].stretch == i && parts[part].end < t; ++part) {
-      add(parts[part].end, parts[part].max_speed);
-      add(parts[part].end, parts[part + 1].max_speed);
+  for (Real from = begin; from < end;) {
+    while (part + 1 < parts.size() && parts[part + 1].stretch == i && parts[part].end <= from) {
+      ++part;
     }
-    add(t, max_speed_at(parts, {i, t}));
+    const bool is_last = part + 1 >= parts.size() || parts[part + 1].stretch != i;
+    const Real to = is_last ? end : std::min(parts[part].end, end);
+    const Real most = max_speed_at(parts, {i, from + (to - from) / 2});
+    const Real count = std::max(sampling.least, std::ceil((to - from) / sampling.step));
+    for (Real k = 0; k <= count; ++k) {
+      const Real t = from + (to - from) * (1 - std::cos(full_turn / 2 * k / count)) / 2;
+      places.push_back({stretch.s + t, std::min(square_at(stretch, t, vehicle), most * most)});
+    }
+    from = to;
   }
 }
 
@@ -94,9 +104,9 @@ void add_places(const Stretch& stretch, std::size_t i, Real begin, Real end, Rea
 
 double drive_time(const Track& track, const Vehicle& vehicle, double start_curvature,
                   const std::vector<PricedPart>& parts, const std::vector<Place>& stops) {
-  const Real step = std::max(usual_step, track.length / most_places);
-  const Real least =
-      std::min(least_places, most_places / static_cast<Real>(track.stretches.size()));
+  const auto most_limits = static_cast<Real>(std::max(track.stretches.size(), parts.size()));
+  const Sampling sampling{std::max(usual_step, track.length / most_places),
+                          std::min(least_places, most_places / most_limits)};
   std::vector<FastPlace> places;
   Real time = 0;
   Real curvature = start_curvature;  // curvature to which the wheels are turned [1/m]
@@ -122,8 +132,7 @@ double drive_time(const Track& track, const Vehicle& vehicle, double start_curva
     Real begin = 0;
     for (const Real end : ends_between(stops, i, stretch.length)) {
       if (begin > 0) time += time_of(places, vehicle.limits);
-      const Real count = std::max(least, std::ceil((end - begin) / step));
-      add_places(stretch, i, begin, end, count, vehicle, parts, part, places);
+      add_places(stretch, i, begin, end, sampling, vehicle, parts, part, places);
       begin = end;
     }
   }

@@ -89,6 +89,11 @@ TEST(NastyWorlds, RollIntoTheStraightEnd) {
   for (const std::string& fault : try_world_of_goals(501410).faults) ADD_FAILURE() << fault;
 }
 
+// A mask has cells that are crossed very slowly, and left quickly: the judge samples near both.
+TEST(NastyWorlds, LeaveSlowCellsQuickly) {
+  for (const std::string& fault : try_world_of_zones(5000205).faults) ADD_FAILURE() << fault;
+}
+
 // A short path, where two rules for the sum of what is near were wrong by as much at a kink.
 TEST(NastyWorlds, SumWhatIsNearAlikeOnAShortPath) {
   for (const std::string& fault : try_world(30020567).faults) ADD_FAILURE() << fault;
