@@ -37,9 +37,9 @@ struct CostSamples {
 [[nodiscard]] std::shared_ptr<const Network> trained_on(const CostSamples& samples, int steps,
                                                         std::uint64_t seed);
 
-/// The table with costs that a network estimates in place of those it looks up; without a network,
-/// the largest length that it would be told. The map is looked at on demand, so one run alone takes
-/// the result.
+/// The table with costs that a network estimates, in place of the costs of its cells. Without a
+/// network, a cost is the largest length that a network would be told. Each run takes a table of
+/// its own, as the table looks at the map on demand.
 [[nodiscard]] SiteTable with_learned_costs(const SiteTable& table, const Problem& problem,
                                            Told told, std::shared_ptr<const Network> network);
 

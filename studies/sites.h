@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// What does a table of the site bring the searches that an estimate guides, how coarse may it be,
-// and does a network that learned it do as well?
+// What does a table of a site bring to searches that an estimate guides? How coarse may the table
+// be, and does a network that learned it do as well?
 
 #include <cstdint>
 #include <string>

@@ -9,8 +9,9 @@
 //
 // The default planner begins with the way of the table. With a trailer, the first path that the rig
 // tries to follow is the way of the tractor alone. If the table has no free way, it plans without.
-// Of a set of goals and of vias, those poses begin so that the table has as goals. The searches of
-// graphs.h and the thesis' trees take the table's costs as the estimate "site".
+// A plan to a set of goals, or past vias, begins so with those of their poses that the table has as
+// goals. The searches of graphs.h and the thesis' trees take the table's costs as the estimate
+// "site".
 //
 // Method, size and errors: docs/algorithms/site_tables.md.
 

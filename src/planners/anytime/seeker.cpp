@@ -7,6 +7,7 @@
 #include <utility>
 
 namespace vandplan::anytime {
+
 Seeker::Seeker(const Task& task, const CostRule& rule, Scope scope, std::uint64_t seed,
                std::function<std::unique_ptr<Source>()> make)
     : make_(std::move(make)),
