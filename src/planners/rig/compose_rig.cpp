@@ -89,6 +89,23 @@ std::unique_ptr<anytime::WallProver> wall_prover(const Setting& setting) {
                                                setting.pricing.rule().only_gear());
 }
 
+// What proves bounds and that there is no path: they get steps of proofs, and no iterations.
+void add_provers(anytime::Portfolio& portfolio, const Setting& setting) {
+  const Share nothing = [](const Progress&) { return 0; };
+  portfolio.slots.push_back(
+      {.name = "wall prover", .worker = wall_prover(setting), .share = nothing});
+  portfolio.slots.back().proofs = [](const Progress& now) {
+    return now.has_route ? 0 : steps_of_proof << std::min(now.rounds, most_doublings_of_proof);
+  };
+  if (!anytime::has_rules_of_ground(setting.task)) return;
+  portfolio.slots.push_back(
+      {.name = "zone prover",
+       .worker = std::make_unique<anytime::ZoneProver>(setting.task, *portfolio.pricing, false),
+       .share = nothing});
+  portfolio.slots.back().proofs = anytime::share_of_zone_prover(
+      portfolio.pricing->counts_time() ? anytime::shares::zone_steps_by_time : 1);
+}
+
 }  // namespace
 
 void add_workers(anytime::Portfolio& portfolio, const Task& task, const PlanOptions& options,
@@ -143,16 +160,7 @@ void add_workers(anytime::Portfolio& portfolio, const Task& task, const PlanOpti
           return now.has_route ? anytime::growing_share(turn, now.rounds_with_route) : turn;
         });
   }
-  add("wall prover", wall_prover(*setting), [](const Progress&) { return 0; });
-  portfolio.slots.back().proofs = [](const Progress& now) {
-    return now.has_route ? 0 : steps_of_proof << std::min(now.rounds, most_doublings_of_proof);
-  };
-  if (!anytime::has_rules_of_ground(task)) return;
-  add("zone prover",
-      std::make_unique<anytime::ZoneProver>(setting->task, *portfolio.pricing, false),
-      [](const Progress&) { return 0; });
-  portfolio.slots.back().proofs = anytime::share_of_zone_prover(
-      portfolio.pricing->counts_time() ? anytime::shares::zone_steps_by_time : 1);
+  add_provers(portfolio, *setting);
 }
 
 }  // namespace vandplan::rig
