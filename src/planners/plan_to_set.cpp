@@ -67,14 +67,11 @@ class SetRun {
         pricing_(task, options.cost, time_price),
         budget_(options.budget),
         goals_(task, options, time_price) {
-    for (SetGoal& goal : goals_.spread_out(budget_)) {
-      const int rank = static_cast<int>(std::bit_width(candidates_.size()));
-      candidates_.push_back({std::move(goal), rank});
-    }
+    goals_.spread_out(budget_);
   }
 
   [[nodiscard]] PlannerAnswer answer() {
-    if (candidates_.empty()) return goals_.without_goals();
+    if (!join()) return goals_.without_goals();
     while (!is_over()) {
       Candidate* const next = next_candidate();
       if (next != nullptr) go_on(*next);
@@ -85,6 +82,17 @@ class SetRun {
 
  private:
   // ---- Whose turn it is ----
+
+  /// [2] The next goal of the set becomes a candidate; false if there is none.
+  bool join() {
+    std::optional<SetGoal> goal = goals_.next();
+    if (!goal) return false;
+    candidates_.push_back({*std::move(goal), next_rank()});
+    ++joined_;
+    return true;
+  }
+
+  [[nodiscard]] int next_rank() const { return static_cast<int>(std::bit_width(joined_)); }
 
   [[nodiscard]] bool may_win(const Candidate& goal) const {
     return !goal.is_done && (best_ == nullptr || &goal == best_ || goal.bound < best_->cost);
@@ -109,16 +117,22 @@ class SetRun {
     Candidate* next = nullptr;
     Candidate* next_beside = nullptr;
     double least = endless;
-    for (Candidate& goal : candidates_) {
-      if (!may_win(goal)) continue;
+    const auto look_at = [&](Candidate& goal) {
+      if (!may_win(goal)) return;
       if (goal.known) {
         if (next_beside == nullptr || goal.spent < next_beside->spent) next_beside = &goal;
-        continue;
+        return;
       }
       const double work = priority(goal);
-      if (work >= least) continue;
+      if (work >= least) return;
       least = work;
       next = &goal;
+    };
+    for (Candidate& goal : candidates_) look_at(goal);
+    const double best = best_ == nullptr ? endless : best_->cost;
+    while (goals_.least_waiting() < best && work_of_doubling * (1 + next_rank()) < least &&
+           join()) {
+      look_at(candidates_.back());
     }
     const bool is_beside = static_cast<double>(work_beside_) + work_of_doubling < least;
     return next_beside != nullptr && is_beside ? next_beside : next;
@@ -256,7 +270,9 @@ class SetRun {
   [[nodiscard]] double lower_bound() {
     if (!goals_.saw_all()) return 0.0;
     double least = goals_.bound_of_regions();
-    for (const Candidate& goal : candidates_) {
+    std::size_t seen = 0;
+    while (seen < candidates_.size() || (goals_.least_waiting() < least && join())) {
+      const Candidate& goal = candidates_[seen++];
       if (goals_.is_single(goal)) least = std::min(least, goal.bound);
     }
     return least;
@@ -293,7 +309,8 @@ class SetRun {
     answer.iterations = budget_.iterations();
     const bool all_closed =
         std::ranges::all_of(candidates_, [](const Candidate& goal) { return goal.is_closed; });
-    if (!all_closed || !goals_.saw_all() || goals_.bound_of_regions() < endless) return;
+    const bool is_open = goals_.least_waiting() < endless || !all_closed;
+    if (is_open || !goals_.saw_all() || goals_.bound_of_regions() < endless) return;
     answer.status = PlanStatus::no_path;
     const std::size_t closed = candidates_.size();
     const std::string reason = candidates_.front().search->answer().reason;
@@ -313,6 +330,7 @@ class SetRun {
   search::Budget budget_;
   SetGoals goals_;
   std::deque<Candidate> candidates_;
+  std::size_t joined_ = 0;  // candidates that were spread out over the set
   Candidate* best_ = nullptr;
   std::int64_t work_beside_ = 0;  // work on goals beside the best one [iterations]
   std::optional<Refinement> refinement_;

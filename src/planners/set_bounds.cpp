@@ -3,6 +3,7 @@
 #include "planners/set_bounds.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "planners/anytime/cost_bound.h"
@@ -27,6 +28,11 @@ double SetBounds::to(const Task& to) const {
                                                    : anytime::CostBound(to, pricing).least({});
   return to.via.empty() ? straight_there
                         : std::max(straight_there, LegBounds(to, pricing, 0).least());
+}
+
+double SetBounds::straight_to(const LocalState& place) const {
+  const double way = std::hypot(place.pose.x - task_.start.x, place.pose.y - task_.start.y);
+  return of_length(std::max(0.0, way - 4 * steering::judged.position));
 }
 
 double SetBounds::to_regions() const {

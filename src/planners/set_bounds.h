@@ -17,6 +17,8 @@ class SetBounds {
 
   /// Bound of paths past the vias to the one goal of `to`.
   [[nodiscard]] double to(const Task& to) const;
+  /// Bound of paths to a place: by the straight way, which costs little to find.
+  [[nodiscard]] double straight_to(const LocalState& place) const;
   /// Bound of paths to the continuous regions of the set; infinite without one.
   [[nodiscard]] double to_regions() const;
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -27,6 +28,11 @@ bool is_steady(const Task& before, const Segment& line) {
   return commands::error_growth(before.vehicle, angle, line) < commands::most_error_growth;
 }
 
+/// Whether goal `a`, which waits like `b`, comes after it.
+constexpr auto comes_later = [](const auto& a, const auto& b) {
+  return a.bound > b.bound || (a.bound == b.bound && a.order > b.order);
+};
+
 }  // namespace
 
 SetGoals::SetGoals(const Task& task, const PlanOptions& options, double time_price)
@@ -38,30 +44,59 @@ SetGoals::SetGoals(const Task& task, const PlanOptions& options, double time_pri
   alone_.goal_set.clear();
 }
 
-std::vector<SetGoal> SetGoals::spread_out(const search::Budget& budget) {
-  // [1] Spread goals over each region.
-  std::vector<SetGoal> goals;
+// [1] Spreads goals over each region.
+void SetGoals::spread_out(const search::Budget& budget) {
   const std::size_t regions = task_.goal_set.size();
   const std::size_t share = std::max<std::size_t>(max_goals_of_set / regions, 2);
+  std::size_t order = 0;
   for (std::size_t region = 0; region < regions; ++region) {
-    if (!goals.empty() && budget.is_interrupted()) {
+    if (!waiting_.empty() && budget.is_interrupted()) {
       saw_all_ = false;
       break;
     }
+    const bool is_single = !is_continuous(task_.goal_set[region]);
     const bool is_line = number_of_intervals(task_, region) == 1;
     const std::size_t most = std::min(is_line ? max_goals_of_line : max_goals_of_region, share);
     spread(task_, region, most, [&](const GoalPoint& point) {
-      ++looked_at_;
+      if (is_single) {
+        wait({bounds_.straight_to(state_of(task_, point)), order++, point});
+        return true;
+      }
       std::optional<SetGoal> goal = at(point);
-      if (goal) goals.push_back(*std::move(goal));
-      return goal.has_value();
+      if (!goal) return false;
+      const double bound = goal->bound;
+      wait({bound, order++, point, std::make_unique<SetGoal>(*std::move(goal))});
+      return true;
     });
   }
-  std::ranges::stable_sort(goals, {}, [](const SetGoal& goal) { return goal.bound; });  // [2]
-  return goals;
+}
+
+void SetGoals::wait(Waiting waiting) {
+  waiting_.push_back(std::move(waiting));
+  std::push_heap(waiting_.begin(), waiting_.end(), comes_later);
+}
+
+double SetGoals::least_waiting() const {
+  return waiting_.empty() ? std::numeric_limits<double>::infinity() : waiting_.front().bound;
+}
+
+std::optional<SetGoal> SetGoals::next() {
+  while (!waiting_.empty()) {
+    std::pop_heap(waiting_.begin(), waiting_.end(), comes_later);
+    Waiting first = std::move(waiting_.back());
+    waiting_.pop_back();
+    if (first.goal != nullptr) return std::move(*first.goal);
+    std::optional<SetGoal> goal = at(first.point);
+    if (!goal) continue;
+    first.bound = goal->bound;
+    first.goal = std::make_unique<SetGoal>(*std::move(goal));
+    wait(std::move(first));
+  }
+  return std::nullopt;
 }
 
 std::optional<SetGoal> SetGoals::at(const GoalPoint& point) {
+  ++looked_at_;
   const LocalState state = state_of(task_, point);
   SetGoal goal{.point = point,
                .task = problem::task_to(alone_, state, task_.goal_set[point.region].curvature,

@@ -4,6 +4,7 @@
 // Which goals of a set are searched for, and what do paths to them cost at least?
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -30,9 +31,13 @@ class SetGoals {
   /// Task and options outlive the goals. Costs are those of `Pricing` with this `time_price`.
   SetGoals(const Task& task, const PlanOptions& options, double time_price);
 
-  /// Goals evenly spread over the set, in the order of their searches. Once the budget is
-  /// interrupted no further region is looked at, if there is a goal.
-  [[nodiscard]] std::vector<SetGoal> spread_out(const search::Budget& budget);
+  /// Goals evenly spread over the set wait for their turn. Once the budget is interrupted no
+  /// further region is looked at, if a goal waits.
+  void spread_out(const search::Budget& budget);
+  /// No goal that waits has a lower bound below this one; infinite if none waits.
+  [[nodiscard]] double least_waiting() const;
+  /// The goal with the least bound of those that wait; none if none waits.
+  [[nodiscard]] std::optional<SetGoal> next();
 
   /// The goal at a point; none if the vehicle cannot stand there, or not come there straight.
   [[nodiscard]] std::optional<SetGoal> at(const GoalPoint& point);
@@ -48,13 +53,24 @@ class SetGoals {
   [[nodiscard]] PlannerAnswer without_goals() const;
 
  private:
+  /// A goal that waits. Where the vehicle can stand is not known before its turn, if its region is
+  /// a single pose: of many docks, few are looked at before there is a path.
+  struct Waiting {
+    double bound = 0.0;  // lower bound of the goal, or of the straight way to its point
+    std::size_t order = 0;
+    GoalPoint point;
+    std::unique_ptr<SetGoal> goal = {};
+  };
+  void wait(Waiting waiting);
+
   const Task& task_;
   Task alone_;  // the task without its set
   const PlanOptions& options_;
   Pricing pricing_;
   SetBounds bounds_;
-  std::size_t looked_at_ = 0;  // goals looked at
-  std::size_t free_ = 0;       // goals where the vehicle can stand
+  std::vector<Waiting> waiting_;  // heap: the least bound first, then the first in order
+  std::size_t looked_at_ = 0;     // goals looked at
+  std::size_t free_ = 0;          // goals where the vehicle can stand
   bool saw_all_ = true;
   bool is_unsteady_ = false;  // whether a last stretch is too long to back a trailer
   std::optional<double> bound_of_regions_;

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the Vändplan authors
+// In which order do goals of a set come, and how many are looked at?
+#include "planners/set_goals.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "support/problems.h"
+#include "vandplan/search.h"
+
+namespace vandplan {
+namespace {
+
+using planning::SetGoal, planning::SetGoals;
+
+constexpr double no_goal = std::numeric_limits<double>::infinity();
+
+/// Docks on both sides of the start: bounds come in another order than straight ways, as the
+/// vehicle has to turn. Something stands in dock 3.
+Scenario both_rows() {
+  Scenario scenario{.bounds = {-100, 100, -100, 100}, .start = {0, 0, 0.3}};
+  for (int i = 0; i < 40; ++i) {
+    const bool is_ahead = i % 2 == 0;
+    scenario.goal_set.push_back(region_of_pose(
+        {1.9 * i - 30, is_ahead ? 20.0 : -14.0, is_ahead ? 0.0 : std::numbers::pi / 2}));
+  }
+  const Pose blocked = {scenario.goal_set[3].x.least, -14.0, 0};
+  scenario.obstacles = {box(blocked.x - 0.5, -14, blocked.x + 0.5, -13)};
+  return scenario;
+}
+
+std::vector<std::size_t> order_of(SetGoals& goals) {
+  std::vector<std::size_t> order;
+  double last = 0.0;
+  for (double least = goals.least_waiting(); least < no_goal; least = goals.least_waiting()) {
+    const std::optional<SetGoal> goal = goals.next();
+    if (!goal) break;
+    EXPECT_LE(least, goal->bound);
+    EXPECT_LE(last, goal->bound);
+    last = goal->bound;
+    order.push_back(goal->point.region);
+  }
+  return order;
+}
+
+TEST(SetGoals, ComeInTheOrderOfTheirBounds) {
+  const Problem problem = make_problem(both_rows());
+  const PlanOptions options;
+  SetGoals goals(problem.task(), options, 0.0);
+  goals.spread_out(search::Budget(options.budget));
+  const std::vector<std::size_t> order = order_of(goals);
+  std::set<std::size_t> all(order.begin(), order.end());
+  EXPECT_EQ(all.size(), order.size());
+  EXPECT_FALSE(all.contains(3));
+  EXPECT_GT(order.size(), 35U);
+  EXPECT_EQ(goals.least_waiting(), no_goal);
+  EXPECT_FALSE(goals.next());
+}
+
+TEST(SetGoals, OfAnAreaComeInTheOrderOfTheirBounds) {
+  Scenario scenario = both_rows();
+  scenario.goal_set.push_back(
+      {.x = {-20, 20}, .y = {-10, 10}, .heading = {-std::numbers::pi, std::numbers::pi}});
+  const Problem problem = make_problem(scenario);
+  const PlanOptions options;
+  SetGoals goals(problem.task(), options, 0.0);
+  goals.spread_out(search::Budget(options.budget));
+  EXPECT_GT(order_of(goals).size(), 60U);
+}
+
+// The goal that comes first is the one that all bounds of the set's single poses name.
+TEST(SetGoals, TheFirstHasTheLeastBoundOfAll) {
+  const Scenario scenario = both_rows();
+  const Problem problem = make_problem(scenario);
+  const PlanOptions options;
+  SetGoals goals(problem.task(), options, 0.0);
+  goals.spread_out(search::Budget(options.budget));
+  const std::optional<SetGoal> first = goals.next();
+  ASSERT_TRUE(first);
+  for (std::size_t region = 0; region < scenario.goal_set.size(); ++region) {
+    const std::optional<SetGoal> goal = goals.at({.region = region});
+    if (goal) {
+      EXPECT_GE(goal->bound, first->bound) << region;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace vandplan
