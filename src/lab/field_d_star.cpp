@@ -14,8 +14,8 @@
 
 #include "base/trigonometry.h"
 #include "lab/cost_field.h"
+#include "lab/estimate_options.h"
 #include "planners/anytime/open_ground.h"
-#include "planners/shared_options.h"
 #include "vandplan/random.h"
 #include "vandplan/search.h"
 

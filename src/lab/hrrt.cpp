@@ -6,9 +6,9 @@
 #include <cmath>
 #include <optional>
 
+#include "lab/estimate_options.h"
 #include "lab/grown_tree.h"
 #include "lab/tree_parts.h"
-#include "planners/shared_options.h"
 
 namespace vandplan::hrrt {
 namespace {

@@ -13,10 +13,10 @@
 
 #include "base/trigonometry.h"
 #include "lab/cell_costs.h"
+#include "lab/estimate_options.h"
 #include "lab/voronoi_field.h"
 #include "planners/anytime/open_ground.h"
 #include "planners/anytime/shorten.h"
-#include "planners/shared_options.h"
 #include "search/route.h"
 #include "vandplan/search.h"
 

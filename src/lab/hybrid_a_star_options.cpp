@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
+#include "lab/estimate_options.h"
 #include "lab/hybrid_a_star.h"
-#include "planners/shared_options.h"
 
 namespace vandplan::hybrid {
 namespace {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "lab/estimate_options.h"
 #include "lab/field_d_star.h"
 #include "lab/hrrt.h"
 #include "lab/hybrid_a_star.h"
@@ -17,7 +18,6 @@
 #include "lab/rrt_connect.h"
 #include "lab/rrt_star.h"
 #include "planners/registered.h"
-#include "planners/shared_options.h"
 
 namespace vandplan::planning {
 namespace {

@@ -7,14 +7,13 @@
 #include <string_view>
 #include <utility>
 
+#include "lab/estimate_options.h"
 #include "lab/lattice_search.h"
-#include "planners/shared_options.h"
 
 namespace vandplan::lattice {
 namespace {
 
 constexpr std::string_view table_name = "lattice-table";
-constexpr std::string_view none = "none";
 
 /// Whether an estimate is consistent: along an edge it falls by at most the edge's length.
 bool is_metric(std::string_view name) { return name == "euclid" || name == "reeds-shepp"; }
@@ -34,7 +33,7 @@ Guide guide_named(const std::string& name, const Task& task, const PlanOptions& 
 Guide guide_of(const Task& task, const PlanOptions& options, const LatticeGraph& graph) {
   Guide first = guide_named(options.planner.word(planning::estimate_key), task, options, graph);
   const std::string& name = options.planner.word(planning::max_with_key);
-  if (name == none) return first;
+  if (name == planning::no_estimate) return first;
   Guide second = guide_named(name, task, options, graph);
   return {.length = [a = std::move(first.length), b = std::move(second.length)](
                         const Vertex& vertex) { return std::max(a(vertex), b(vertex)); },

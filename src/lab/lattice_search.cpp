@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "planners/shared_options.h"
+#include "lab/estimate_options.h"
 #include "vandplan/steering.h"
 
 namespace vandplan::lattice {

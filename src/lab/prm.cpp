@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "base/guarded.h"
+#include "lab/estimate_options.h"
 #include "lab/milestones.h"
-#include "planners/shared_options.h"
 #include "vandplan/graphs.h"
 #include "vandplan/search.h"
 

@@ -7,8 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "lab/estimate_options.h"
 #include "lab/tree_parts.h"
-#include "planners/shared_options.h"
 #include "vandplan/tables.h"
 
 namespace vandplan::rrt_connect {

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <optional>
 
+#include "lab/estimate_options.h"
 #include "lab/rewired_tree.h"
 #include "lab/tree_parts.h"
-#include "planners/shared_options.h"
 #include "vandplan/steering.h"
 #include "vandplan/tables.h"
 

@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "lab/tree_parts.h"
 
-#include "planners/shared_options.h"
+#include "lab/estimate_options.h"
 
 namespace vandplan::planning {
 

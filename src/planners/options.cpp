@@ -9,7 +9,6 @@
 
 #include "base/nearest_word.h"
 #include "planners/registered.h"
-#include "planners/shared_options.h"
 #include "vandplan/graphs.h"
 #include "vandplan/input_error.h"
 

@@ -13,7 +13,6 @@
 #include "planners/anytime/finish.h"
 #include "planners/in_time.h"
 #include "planners/plan_to_set.h"
-#include "planners/shared_options.h"
 #include "search/route.h"
 #include "sites/way.h"
 #include "vandplan/input_error.h"
@@ -81,6 +80,13 @@ Planner anytime_planner() {
 }
 
 }  // namespace
+
+OptionInfo region_option() {
+  return {.name = "region",
+          .summary = "sampling region",
+          .default_value = std::string("bounds"),
+          .words = {"bounds", "scene"}};
+}
 
 std::vector<Planner> registered_planners() {
   std::vector<Planner> planners = {anytime_planner()};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "planners/shared_options.h"
+#include "lab/estimate_options.h"
 
 #include <algorithm>
 #include <optional>
@@ -13,13 +13,12 @@
 namespace vandplan::planning {
 namespace {
 
-constexpr std::string_view none = "none";
 constexpr std::string_view max_prefix = "max-";
 
 /// Names of one estimate, or of two of which the larger counts.
 struct Wanted {
   std::string_view first;
-  std::string_view second = none;
+  std::string_view second = no_estimate;
 };
 
 /// Parses the name of an estimate. `names`: words of the planner's option "estimate".
@@ -46,13 +45,6 @@ OptionInfo* find_option(Planner& planner, std::string_view name) {
 
 }  // namespace
 
-OptionInfo region_option() {
-  return {.name = "region",
-          .summary = "sampling region",
-          .default_value = std::string("bounds"),
-          .words = {"bounds", "scene"}};
-}
-
 Region region_of(const PlanOptions& options) {
   return options.planner.word("region") == "scene" ? Region::scene : Region::bounds;
 }
@@ -68,7 +60,7 @@ std::vector<OptionInfo> estimate_options(std::string_view default_value,
   second.name = max_with_key;
   second.summary = "second estimate, the larger counts";
   second.default_value = std::string(max_with);
-  second.words.insert(second.words.begin(), std::string(none));
+  second.words.insert(second.words.begin(), std::string(no_estimate));
   return {std::move(first), std::move(second)};
 }
 
@@ -82,7 +74,7 @@ void name_estimate(Planner& planner) {
   planner.properties.search = planner.name;
   planner.properties.capabilities.add(Capability::site);
   planner.properties.estimate =
-      second == none ? word(*first) : std::string(max_prefix) + word(*first) + "-" + second;
+      second == no_estimate ? word(*first) : std::string(max_prefix) + word(*first) + "-" + second;
 }
 
 search::GoalEstimate estimate_named(std::string_view name, const PlanOptions& options,
@@ -101,7 +93,7 @@ search::GoalEstimate estimate_of(const PlanOptions& options, const Task& task) {
   const auto named = [&](const std::string& name) { return estimate_named(name, options, task); };
   const std::string& second = options.planner.word(max_with_key);
   search::GoalEstimate first = named(options.planner.word(estimate_key));
-  return second == none ? first : search::max_of(std::move(first), named(second));
+  return second == no_estimate ? first : search::max_of(std::move(first), named(second));
 }
 
 std::optional<Planner> with_estimate(Planner planner, std::string_view estimate) {
