@@ -18,7 +18,6 @@
 #include "planners/last_stretch.h"
 #include "planners/options.h"
 #include "planners/pricing.h"
-#include "planners/rig/softer_wheels.h"
 #include "planners/search_via.h"
 #include "search/route.h"
 #include "search/wheels.h"

@@ -335,4 +335,15 @@ std::optional<std::vector<Command>> commands_along(const Task& task,
   return obeyed(task, std::move(commands));
 }
 
+std::optional<std::vector<Command>> exact_commands(const Task& task,
+                                                   std::span<const Segment> segments) {
+  if (segments.empty()) return std::nullopt;
+  const search::DrivenBeside ends = search::driven_at_ends(task);
+  const Wheels wheels(task.vehicle, task.steering);
+  std::vector<Command> commands = wheels.commands(segments, ends);
+  Closer closer(task.vehicle, task.steering);
+  if (!closer.close(start_state(task), commands, goal_state(task), ends)) return std::nullopt;
+  return obeyed(task, wheels.tidied(commands, ends.before));
+}
+
 }  // namespace vandplan::commands

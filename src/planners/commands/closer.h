@@ -95,4 +95,9 @@ class Closer {
 [[nodiscard]] std::optional<std::vector<Command>> commands_along(const Task& task,
                                                                  std::span<const Segment> segments);
 
+/// Commands of a free drive of a rig along segments that nearly lead from the start of the task to
+/// its goal; each command has a length. None if none are found.
+[[nodiscard]] std::optional<std::vector<Command>> exact_commands(const Task& task,
+                                                                 std::span<const Segment> segments);
+
 }  // namespace vandplan::commands

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "planners/anytime/anytime.h"
-#include "planners/rig/exact_drive.h"
 #include "planners/rig/rig_search.h"
 #include "sites/way.h"
 #include "vandplan/random.h"
@@ -283,7 +282,7 @@ void BehindTractor::follow() {
   counts_.checks += follower_->checks();
   follower_.reset();
   if (!drive) return;
-  auto commands = ExactDrive(setting_->task).along(*drive);
+  auto commands = commands::exact_commands(setting_->task, *drive);
   if (commands) found_ = Chain{*std::move(commands), 0};
 }
 

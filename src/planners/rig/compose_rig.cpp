@@ -75,7 +75,7 @@ bool is_far(const Task& task) {
 
 /// The drive along a known path; none if that is not free.
 std::optional<anytime::Drive> drive_along(const Setting& setting, const Path& known) {
-  auto commands = ExactDrive(setting.task).along(known.segments);
+  auto commands = commands::exact_commands(setting.task, known.segments);
   if (!commands) return std::nullopt;
   return Improver(setting, {*std::move(commands), 0}, 0).drive();
 }

@@ -13,7 +13,6 @@ namespace vandplan::rig {
 
 Proposed::Proposed(std::shared_ptr<const Setting> setting, std::unique_ptr<PathSource> paths)
     : setting_(std::move(setting)),
-      exact_(setting_->task),
       paths_(std::move(paths)),
       told_cost_(std::numeric_limits<double>::infinity()) {
   if (!paths_) throw InputError("sources", "expected a source of paths, nothing was made");
@@ -23,7 +22,8 @@ std::int64_t Proposed::work(std::int64_t /*most*/, const search::Budget& /*budge
   const std::optional<LocalPath> proposed = paths_->propose();
   if (!proposed) return 1;
   path::check_finite({proposed->start, proposed->segments});
-  if (auto commands = exact_.along(proposed->segments)) found_ = Chain{*std::move(commands), 0};
+  auto commands = commands::exact_commands(setting_->task, proposed->segments);
+  if (commands) found_ = Chain{*std::move(commands), 0};
   return 1;
 }
 

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "planners/rig/chain_source.h"
-#include "planners/rig/exact_drive.h"
 #include "vandplan/planner.h"
 
 namespace vandplan::rig {
@@ -26,7 +25,6 @@ class Proposed final : public ChainSource {
 
  private:
   std::shared_ptr<const Setting> setting_;
-  ExactDrive exact_;
   std::unique_ptr<PathSource> paths_;
   double told_cost_;  // cost of the best drive that the source was told
   std::optional<Chain> found_;

@@ -62,6 +62,12 @@ CostRule priced(CostRule rule) {
   return rule;
 }
 
+/// Gear and curvature before a drive from the goal back to the start.
+Driven before_reversed(const Task& task) {
+  const Driven after = search::driven_at_ends(task).after;
+  return {-after.gear, after.curvature};
+}
+
 }  // namespace
 
 std::optional<RigSteering> steering_of(const Vehicle& vehicle) {
@@ -103,8 +109,6 @@ RigSearch::RigSearch(const Task& task, const CostRule& rule, const Guides& guide
                      const Fineness& fineness)
     : task_(task),
       wheels_(task.vehicle, task.steering),
-      ends_(search::driven_at_ends(task)),
-      exact_(task),
       steering_(steering_of(task.vehicle)),
       fineness_(fineness),
       trailer_radius_(task.vehicle.trailer->wheelbase /
@@ -113,11 +117,10 @@ RigSearch::RigSearch(const Task& task, const CostRule& rule, const Guides& guide
       heading_cell_(0.5 * fineness.step / turning_radius(task.vehicle)),
       angle_cell_(0.5 * fineness.step / task.vehicle.trailer->wheelbase),
       primitives_(primitives_of(task.vehicle, fineness)),
-      sides_{
-          side_from(start_state(task), goal_state(task), ends_.before, priced(rule),
-                    guides.to_goal),
-          side_from(goal_state(task), start_state(task), {-ends_.after.gear, ends_.after.curvature},
-                    search::reversed(priced(rule), 0), guides.to_start)} {}
+      sides_{side_from(start_state(task), goal_state(task), search::driven_at_ends(task).before,
+                       priced(rule), guides.to_goal),
+             side_from(goal_state(task), start_state(task), before_reversed(task),
+                       search::reversed(priced(rule), 0), guides.to_start)} {}
 
 RigSearch::Side RigSearch::side_from(const State& root, const State& target, const Driven& before,
                                      const CostRule& rule, const search::GridDistance& grid) const {
@@ -354,7 +357,7 @@ void RigSearch::join(std::int32_t forward, std::int32_t backward,
   std::vector<Segment> back = branch(sides_[1], backward);
   std::ranges::reverse(back);
   for (const Segment& segment : back) segments.push_back(backwards(segment));
-  found_ = exact_.along(segments);
+  found_ = exact_commands(task_, segments);
 }
 
 bool RigSearch::is_free(const Side& side, const State& from, std::span<const Segment> segments) {

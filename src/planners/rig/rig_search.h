@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "base/trigonometry.h"
+#include "planners/commands/closer.h"
 #include "planners/commands/wheels.h"
-#include "planners/rig/exact_drive.h"
 #include "search/grid_distance.h"
 #include "vandplan/random.h"
 #include "vandplan/search.h"
@@ -148,8 +148,6 @@ class RigSearch {
 
   const Task& task_;
   Wheels wheels_;
-  search::DrivenBeside ends_;
-  ExactDrive exact_;
   /// Exact steering; none for vehicles that it does not support.
   std::optional<RigSteering> steering_;
   Fineness fineness_;

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <utility>
 
-#include "planners/rig/room_for_margin.h"
 #include "vandplan/random.h"
 
 namespace vandplan::rig {
@@ -35,6 +34,17 @@ CostOptions helpful_prices(const CostOptions& cost) {
   options.initial_gear = cost.initial_gear;
   options.gears = cost.gears;
   return options;
+}
+
+/// Rule whose cost is how far, and on how many metres, a drive is nearer to obstacles than the
+/// margin; the length hardly counts.
+CostRule rule_of_room(double margin) {
+  constexpr double price = 1000.0;  // weight beside which the length is small
+  constexpr double least = 0.01;    // least clearance distance of the rule [m]
+  CostOptions options = shortest_style;
+  options.clearance_weight = price;
+  options.clearance_distance = std::max(margin + 2 * CollisionChecker::tolerance, least);
+  return search::cost_rule(options);
 }
 
 }  // namespace
