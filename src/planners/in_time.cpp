@@ -94,7 +94,7 @@ class InTimeRun {
                                                      const Path* known) {
       return anytime::drive_search(to, round, time_price, {.known = known, .sources = sources});
     };
-    return planning::search_with_line(task, options, time_price, given.known, search_to);
+    return planning::search_with_line(task, options, time_price, given.known, {}, search_to);
   }
 
   /// Does one piece of work. False if nothing is left to do.

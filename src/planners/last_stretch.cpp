@@ -10,34 +10,25 @@
 #include "planners/pricing.h"
 #include "planners/search_via.h"
 #include "problem/goal_set.h"
+#include "search/route.h"
 #include "vandplan/steering.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan::planning {
 namespace {
 
-/// The path without its last `length` metres.
-Path without_end(const Path& path, double length) {
-  Path rest = path;
-  while (length > 0.0 && !rest.segments.empty()) {
-    const double last = std::abs(rest.segments.back().length);
-    if (last > length) {
-      rest.segments.back() = part_of(rest.segments.back(), 0.0, last - length);
-      return rest;
-    }
-    length -= last;
-    rest.segments.pop_back();
-  }
-  return rest;
-}
-
 class WithLine final : public PathSearch {
  public:
-  /// `begin`: begins the search for the way to the line.
-  template <class Begin>
-  WithLine(const Task& task, const PlanOptions& options, double time_price, const Begin& begin)
+  WithLine(const Task& task, const PlanOptions& options, double time_price, const Path* known,
+           std::span<const double> passed, const SearchTo& search_to)
       : line_(line_of(task)), before_(before_line(task)), pricing_(task, options.cost, time_price) {
-    if (!is_there(before_)) search_ = begin(before_);
+    if (is_there(before_)) return;
+    std::optional<Path> way;
+    if (known != nullptr) {
+      const double end = length(*known) - std::abs(line_.length);
+      way = Path{known->start, search::part_of(known->segments, 0.0, end)};
+    }
+    search_ = search_via(before_, options, time_price, way ? &*way : nullptr, passed, search_to);
   }
 
   bool advance(std::int64_t most) override { return search_ && search_->advance(most); }
@@ -127,26 +118,12 @@ Task before_line(const Task& task) {
 
 std::unique_ptr<PathSearch> search_with_line(const Task& task, const PlanOptions& options,
                                              double time_price, const Path* known,
+                                             std::span<const double> passed,
                                              const SearchTo& search_to) {
   if (task.last_stretch == 0.0) {
-    return search_via(task, options, time_price, known, search_to);
+    return search_via(task, options, time_price, known, passed, search_to);
   }
-  const auto begin = [&](const Task& before) {
-    std::optional<Path> way;
-    if (known != nullptr) way = without_end(*known, std::abs(task.last_stretch));
-    return search_via(before, options, time_price, way ? &*way : nullptr, search_to);
-  };
-  return std::make_unique<WithLine>(task, options, time_price, begin);
-}
-
-std::unique_ptr<PathSearch> search_with_line(const Task& task, const PlanOptions& options,
-                                             const PathPastVias& along, const SearchTo& search_to) {
-  if (task.last_stretch == 0.0) return search_via(task, options, along, search_to);
-  const auto begin = [&](const Task& before) {
-    const Path way = without_end(along.path, std::abs(task.last_stretch));
-    return search_via(before, options, {way, along.passed}, search_to);
-  };
-  return std::make_unique<WithLine>(task, options, 0.0, begin);
+  return std::make_unique<WithLine>(task, options, time_price, known, passed, search_to);
 }
 
 }  // namespace vandplan::planning

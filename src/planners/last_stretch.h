@@ -7,9 +7,9 @@
 // wheels are straight. Method: docs/algorithms/goal_sets.md.
 
 #include <memory>
+#include <span>
 
 #include "planners/path_search.h"
-#include "planners/search_via.h"
 #include "vandplan/path.h"
 #include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
@@ -28,20 +28,12 @@ namespace vandplan::planning {
 /// The task of driving to where the straight line of `task` begins. The task itself without one.
 [[nodiscard]] Task before_line(const Task& task);
 
-/// A search for paths that pass the vias of `task` and end with its straight line: `search_to`
-/// searches for what is between them, and `known` is a path to the goal or null. Costs are those of
-/// `Pricing` with this `time_price`. The task outlives the search. Without vias and line it is the
-/// search of `search_to`.
+/// A search for paths that pass the vias of `task` and end with its straight line. All else is as
+/// for `search_via`.
 [[nodiscard]] std::unique_ptr<PathSearch> search_with_line(const Task& task,
                                                            const PlanOptions& options,
                                                            double time_price, const Path* known,
-                                                           const SearchTo& search_to);
-
-/// A search for paths that pass the vias of `task` as `along` does at first, and end with its
-/// straight line. Throughout like the other `search_with_line`.
-[[nodiscard]] std::unique_ptr<PathSearch> search_with_line(const Task& task,
-                                                           const PlanOptions& options,
-                                                           const PathPastVias& along,
+                                                           std::span<const double> passed,
                                                            const SearchTo& search_to);
 
 }  // namespace vandplan::planning

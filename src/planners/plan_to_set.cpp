@@ -155,7 +155,7 @@ class SetRun {
       goal.begun = budget_.elapsed();
       const Path* const known = goal.known ? &*goal.known : nullptr;
       goal.search = task_.moving.empty()
-                        ? search_with_line(goal.task, options, time_price_, known, search_to_)
+                        ? search_with_line(goal.task, options, time_price_, known, {}, search_to_)
                         : search_to_(goal.task, options, known);
     }
     const std::int64_t done = goal.search->iterations();

@@ -64,9 +64,9 @@ struct ViaTrial {
 
 class ViaSearch final : public PathSearch {
  public:
-  /// `along`: path to begin with, or null.
-  ViaSearch(const Task& task, const PlanOptions& options, double time_price,
-            const PathPastVias* along, const SearchTo& search_to)
+  /// `known`: path to begin with, if `passed` has the driven distance to each via.
+  ViaSearch(const Task& task, const PlanOptions& options, double time_price, const Path* known,
+            std::span<const double> passed, const SearchTo& search_to)
       : task_(task),
         options_(options),
         search_to_(search_to),
@@ -75,7 +75,7 @@ class ViaSearch final : public PathSearch {
         nodes_(task, pricing_.prices()),
         bounds_(task, pricing_, work_of_bounds) {
     options_.budget.max_iterations.reset();
-    if (along != nullptr && begin_along(*along)) return;
+    if (!passed.empty() && begin_along(*known, passed)) return;
     if (!nodes_.empty_via()) begin_chain();
   }
 
@@ -207,8 +207,7 @@ class ViaSearch final : public PathSearch {
   }
 
   /// Begins with the legs of a path. False if it does not pass the vias at free nodes.
-  bool begin_along(const PathPastVias& along) {
-    const auto& [path, passed] = along;
+  bool begin_along(const Path& path, std::span<const double> passed) {
     std::vector<ViaNode> chain;
     chain.reserve(passed.size());
     for (std::size_t via = 0; via < passed.size(); ++via) {
@@ -386,15 +385,9 @@ class ViaSearch final : public PathSearch {
 
 std::unique_ptr<PathSearch> search_via(const Task& task, const PlanOptions& options,
                                        double time_price, const Path* known,
-                                       const SearchTo& search_to) {
+                                       std::span<const double> passed, const SearchTo& search_to) {
   if (task.via.empty()) return search_to(task, options, known);
-  return std::make_unique<ViaSearch>(task, options, time_price, nullptr, search_to);
-}
-
-std::unique_ptr<PathSearch> search_via(const Task& task, const PlanOptions& options,
-                                       const PathPastVias& along, const SearchTo& search_to) {
-  if (task.via.empty()) return search_to(task, options, &along.path);
-  return std::make_unique<ViaSearch>(task, options, 0.0, &along, search_to);
+  return std::make_unique<ViaSearch>(task, options, time_price, known, passed, search_to);
 }
 
 }  // namespace vandplan::planning

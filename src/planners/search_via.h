@@ -6,7 +6,7 @@
 // Each leg between two places is a search of its own. Method: docs/algorithms/goal_sets.md.
 
 #include <memory>
-#include <vector>
+#include <span>
 
 #include "planners/path_search.h"
 #include "vandplan/path.h"
@@ -15,24 +15,14 @@
 
 namespace vandplan::planning {
 
-/// A path that passes the vias of a task.
-struct PathPastVias {
-  Path path;                   ///< the path, in the frame of the task
-  std::vector<double> passed;  ///< driven distance to each via [m]
-};
-
-/// A search for paths that pass the vias of `task` as `along` does at first. Its legs begin with
-/// those of `along`, other legs with a neighbour's. Without vias it is the search of `search_to`,
-/// which begins with that path. Throughout like the other `search_via`.
-[[nodiscard]] std::unique_ptr<PathSearch> search_via(const Task& task, const PlanOptions& options,
-                                                     const PathPastVias& along,
-                                                     const SearchTo& search_to);
-
 /// A search for paths that pass the vias of `task`: `search_to` searches for the legs between
-/// them. Costs are those of `Pricing` with this `time_price`. The task outlives the search. Without
-/// vias it is the search of `search_to`, which may begin with the path `known`, or null.
+/// them. Costs are those of `Pricing` with this `time_price`. The task outlives the search.
+/// `known`: path of the task's frame to begin with, or null. `passed`: driven distance to each via
+/// on it [m]; if empty, paths past vias begin with none. Legs begin with those of `known`, other
+/// legs with a neighbour's. Without vias it is the search of `search_to`.
 [[nodiscard]] std::unique_ptr<PathSearch> search_via(const Task& task, const PlanOptions& options,
                                                      double time_price, const Path* known,
+                                                     std::span<const double> passed,
                                                      const SearchTo& search_to);
 
 }  // namespace vandplan::planning

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "planners/along_path.h"
@@ -18,7 +19,6 @@
 #include "planners/last_stretch.h"
 #include "planners/options.h"
 #include "planners/pricing.h"
-#include "planners/search_via.h"
 #include "search/route.h"
 #include "search/wheels.h"
 #include "steering/words.h"
@@ -215,17 +215,18 @@ PlannerAnswer Smoother::answer() {
   return answer;
 }
 
-/// Smooths a path leg by leg: past vias, and up to the straight line that ends it, `last_stretch`
-/// of the task. In turn with that, vias slide along their sets where that makes it cheaper.
-PlannerAnswer smoothed_by_legs(Task to_goal, const PlanOptions& options,
-                               const planning::PathPastVias& along, SmoothMethod method) {
+/// Smooths a path leg by leg: past vias, after the distances `passed`, and up to the straight line
+/// that ends it, `last_stretch` of the task. In turn with that, vias slide along their sets where
+/// that makes it cheaper.
+PlannerAnswer smoothed_by_legs(Task to_goal, const PlanOptions& options, const Path& path,
+                               std::span<const double> passed, SmoothMethod method) {
   to_goal.goal_set.clear();
   const planning::SearchTo smoother_of = [&](const Task& leg, const PlanOptions& of_leg,
                                              const Path* known) {
-    const Path& old = known != nullptr ? *known : along.path;
+    const Path& old = known != nullptr ? *known : path;
     return std::make_unique<Smoother>(leg, of_leg, Path{leg.start, old.segments}, method);
   };
-  const auto search = planning::search_with_line(to_goal, options, along, smoother_of);
+  const auto search = planning::search_with_line(to_goal, options, 0.0, &path, passed, smoother_of);
   Budget budget(options.budget);
   const bool is_optimised = method == SmoothMethod::optimised;
   while (!budget.exhausted() && (is_optimised || !search->path())) {
@@ -260,7 +261,7 @@ Planner smoother_by_legs(const Path& path, const planning::Along& along, SmoothM
                          const Task& task, const PlanOptions& options) {
     Task to_goal = task;
     to_goal.last_stretch = last_stretch;
-    return smoothed_by_legs(to_goal, options, {{task.start, path.segments}, passed}, method);
+    return smoothed_by_legs(to_goal, options, {task.start, path.segments}, passed, method);
   };
   return planner;
 }
