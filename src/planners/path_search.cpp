@@ -10,12 +10,14 @@
 namespace vandplan::planning {
 namespace {
 
+using Function = std::function<PlannerAnswer(const Task&, const PlanOptions&)>;
+
 constexpr std::int64_t first_round = 128;  // iterations of the first round
 
 class Restarted final : public PathSearch {
  public:
-  Restarted(PlannerRun planner, const PlanOptions& options)
-      : planner_(std::move(planner)), options_(options), budget_(options.budget) {}
+  Restarted(Function planner, const Task& task, const PlanOptions& options)
+      : planner_(std::move(planner)), task_(task), options_(options), budget_(options.budget) {}
 
   bool advance(std::int64_t most) override {
     if (most <= 0 || budget_.is_interrupted()) return false;
@@ -24,7 +26,7 @@ class Restarted final : public PathSearch {
     if (options.budget.time_limit) {
       *options.budget.time_limit = std::max(*options.budget.time_limit - budget_.elapsed(), 0.0);
     }
-    PlannerAnswer next = planner_(options);
+    PlannerAnswer next = planner_(task_, options);
     const bool goes_on = next.status == PlanStatus::iteration_limit ||
                          (next.segments && next.iterations >= *options.budget.max_iterations);
     round_ *= 2;
@@ -42,7 +44,8 @@ class Restarted final : public PathSearch {
   }
 
  private:
-  PlannerRun planner_;
+  Function planner_;
+  const Task& task_;
   PlanOptions options_;
   search::Budget budget_;
   PlannerAnswer answer_;  // last answer that has a path; the last of all if none has
@@ -52,8 +55,11 @@ class Restarted final : public PathSearch {
 
 }  // namespace
 
-std::unique_ptr<PathSearch> restarted(PlannerRun planner, const PlanOptions& options) {
-  return std::make_unique<Restarted>(std::move(planner), options);
+SearchTo restarted_search(Function planner) {
+  return [planner = std::move(planner)](const Task& task, const PlanOptions& options,
+                                        const Path* /*known*/) {
+    return std::make_unique<Restarted>(planner, task, options);
+  };
 }
 
 }  // namespace vandplan::planning

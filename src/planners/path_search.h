@@ -59,11 +59,9 @@ class PathSearch {
 using SearchTo = std::function<std::unique_ptr<PathSearch>(
     const Task& task, const PlanOptions& options, const Path* known)>;
 
-/// A planner as a function of its options.
-using PlannerRun = std::function<PlannerAnswer(const PlanOptions&)>;
-
-/// A search by a planner that cannot be continued: each round plans anew with twice the iterations
-/// of the round before. The time limit of `options` counts from now on.
-[[nodiscard]] std::unique_ptr<PathSearch> restarted(PlannerRun planner, const PlanOptions& options);
+/// Searches of a planner that cannot be continued: each round plans anew, with twice the iterations
+/// of the round before. Known paths are ignored.
+[[nodiscard]] SearchTo restarted_search(
+    std::function<PlannerAnswer(const Task&, const PlanOptions&)> planner);
 
 }  // namespace vandplan::planning

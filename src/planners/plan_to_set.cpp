@@ -344,12 +344,4 @@ PlannerAnswer plan_to_set(const Task& task, const PlanOptions& options, double t
   return SetRun(task, options, time_price, search_to).answer();
 }
 
-SearchTo restarted_search(std::function<PlannerAnswer(const Task&, const PlanOptions&)> planner) {
-  return [planner = std::move(planner)](const Task& task, const PlanOptions& options,
-                                        const Path* /*known*/) {
-    return restarted([&task, planner](const PlanOptions& round) { return planner(task, round); },
-                     options);
-  };
-}
-
 }  // namespace vandplan::planning

@@ -5,9 +5,6 @@
 //
 // Method: docs/algorithms/goal_sets.md.
 
-#include <functional>
-#include <memory>
-
 #include "planners/path_search.h"
 #include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
@@ -20,9 +17,5 @@ namespace vandplan::planning {
 /// Expects the start to be free.
 [[nodiscard]] PlannerAnswer plan_to_set(const Task& task, const PlanOptions& options,
                                         double time_price, const SearchTo& search_to);
-
-/// Searches of a planner that knows no sets of goals: each round plans anew, with more iterations.
-[[nodiscard]] SearchTo restarted_search(
-    std::function<PlannerAnswer(const Task&, const PlanOptions&)> planner);
 
 }  // namespace vandplan::planning
