@@ -8,8 +8,11 @@
 #include <string>
 #include <utility>
 
+#include "planners/anytime/cost_bound.h"
 #include "planners/commands/closer.h"
 #include "planners/last_stretch.h"
+#include "planners/leg_bounds.h"
+#include "planners/rig/towed.h"
 #include "problem/goal_set.h"
 
 namespace vandplan::planning {
@@ -18,7 +21,9 @@ namespace {
 /// Most goals of a region that are searched for: with one interval, and with several.
 constexpr std::size_t max_goals_of_line = 16;
 constexpr std::size_t max_goals_of_region = 64;
-constexpr std::size_t max_goals_of_set = 2048;  // most goals of all regions, but two of each
+constexpr std::size_t max_goals_of_set = 2048;   // most goals of all regions, but two of each
+constexpr std::size_t halvings_of_set = 20'000;  // halvings of parts of all regions for a bound
+constexpr std::int64_t work_past_vias = 20'000;  // pairs of parts of vias that a bound looks at
 
 /// Whether a rig that comes to a line as `before` says keeps its hitch angle along the line, in
 /// spite of rounding errors.
@@ -39,9 +44,31 @@ SetGoals::SetGoals(const Task& task, const PlanOptions& options, double time_pri
     : task_(task),
       alone_(task),
       options_(options),
-      pricing_(task, options.cost, time_price),
-      bounds_(task, options.cost, time_price) {
+      time_price_(time_price),
+      pricing_(task, options.cost, time_price) {
   alone_.goal_set.clear();
+}
+
+// Lower bound of the cost of paths past the vias to the one goal of `to`.
+double SetGoals::bound_to(const Task& to) const {
+  const Pricing pricing(to, options_.cost, time_price_);
+  const double straight_there = to.vehicle.trailer ? rig::cost_lower_bound(to, pricing)
+                                                   : anytime::CostBound(to, pricing).least({});
+  return to.via.empty() ? straight_there
+                        : std::max(straight_there, LegBounds(to, pricing, 0).least());
+}
+
+// Lower bound of the cost of paths that are at least `length` metres long.
+double SetGoals::bound_of_length(double length) const {
+  const anytime::OpenGround ground{length, length, length, 0.0};
+  return pricing_.counts_time() ? pricing_.cost_lower_bound(length, length)
+                                : anytime::cost_lower_bound(ground, pricing_.rule(), 0.0);
+}
+
+// Lower bound of the cost of paths to a place: by the straight way, which costs little to find.
+double SetGoals::bound_straight_to(const LocalState& place) const {
+  const double way = std::hypot(place.pose.x - task_.start.x, place.pose.y - task_.start.y);
+  return bound_of_length(std::max(0.0, way - 4 * steering::judged.position));
 }
 
 // [1] Spreads goals over each region.
@@ -59,7 +86,7 @@ void SetGoals::spread_out(const search::Budget& budget) {
     const std::size_t most = std::min(is_line ? max_goals_of_line : max_goals_of_region, share);
     spread(task_, region, most, [&](const GoalPoint& point) {
       if (is_single) {
-        wait({bounds_.straight_to(state_of(task_, point)), order++, point});
+        wait({bound_straight_to(state_of(task_, point)), order++, point});
         return true;
       }
       std::optional<SetGoal> goal = at(point);
@@ -103,7 +130,7 @@ std::optional<SetGoal> SetGoals::at(const GoalPoint& point) {
                                         options_.clearance)};
   if (!goal.task.checker->is_free(state)) return std::nullopt;
   ++free_;
-  goal.bound = bounds_.to(goal.task);
+  goal.bound = bound_to(goal.task);
   goal.task.last_stretch = last_stretch(task_, point);
   if (goal.task.last_stretch == 0.0) return goal;
   const Task before = before_line(goal.task);
@@ -118,7 +145,7 @@ std::optional<SetGoal> SetGoals::at(const GoalPoint& point) {
   if (!may_drive || !before.checker->is_free(goal_state(before), line)) return std::nullopt;
   if (pricing_.counts_time()) return goal;
   const double of_line = pricing_.rule().weight(search::gear_of(line)) * std::abs(line.length);
-  goal.bound = std::max(goal.bound, bounds_.to(before) + of_line);
+  goal.bound = std::max(goal.bound, bound_to(before) + of_line);
   return goal;
 }
 
@@ -127,8 +154,19 @@ bool SetGoals::is_single(const SetGoal& goal) const {
 }
 
 double SetGoals::bound_of_regions() {
-  if (!bound_of_regions_) bound_of_regions_ = bounds_.to_regions();
-  return *bound_of_regions_;
+  if (bound_of_regions_) return *bound_of_regions_;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t region = 0; region < task_.goal_set.size(); ++region) {
+    if (!is_continuous(task_.goal_set[region])) continue;
+    const double length =
+        length_lower_bound_to(task_, region, halvings_of_set / task_.goal_set.size());
+    least = std::min(least, bound_of_length(length));
+  }
+  if (!task_.via.empty() && least < std::numeric_limits<double>::infinity()) {
+    least = std::max(least, LegBounds(task_, pricing_, work_past_vias).least());
+  }
+  bound_of_regions_ = least;
+  return least;
 }
 
 PlannerAnswer SetGoals::without_goals() const {

@@ -11,7 +11,6 @@
 #include "planners/goal_poses.h"
 #include "planners/path_search.h"
 #include "planners/pricing.h"
-#include "planners/set_bounds.h"
 #include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
 #include "vandplan/search.h"
@@ -46,7 +45,8 @@ class SetGoals {
   [[nodiscard]] bool is_single(const SetGoal& goal) const;
   /// Whether all regions were looked at.
   [[nodiscard]] bool saw_all() const { return saw_all_; }
-  /// Lower bound of the cost of paths to continuous regions.
+  /// Lower bound of the cost of paths to continuous regions, without looking at obstacles; infinite
+  /// without such a region.
   [[nodiscard]] double bound_of_regions();
 
   /// The answer if there is no goal to search for.
@@ -62,12 +62,15 @@ class SetGoals {
     std::unique_ptr<SetGoal> goal = {};
   };
   void wait(Waiting waiting);
+  [[nodiscard]] double bound_to(const Task& to) const;
+  [[nodiscard]] double bound_straight_to(const LocalState& place) const;
+  [[nodiscard]] double bound_of_length(double length) const;
 
   const Task& task_;
   Task alone_;  // the task without its set
   const PlanOptions& options_;
+  double time_price_;
   Pricing pricing_;
-  SetBounds bounds_;
   std::vector<Waiting> waiting_;  // heap: the least bound first, then the first in order
   std::size_t looked_at_ = 0;     // goals looked at
   std::size_t free_ = 0;          // goals where the vehicle can stand
