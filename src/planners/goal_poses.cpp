@@ -65,18 +65,24 @@ Point place_in_box(const GoalRegion& region, const GoalPoint& point) {
   return {between(x_min, x_max, point.at[x]), between(y_min, y_max, point.at[y])};
 }
 
+/// State of the vehicle with the heading and the hitch angle of a point, at a place.
+State state_at(const Vehicle& vehicle, const GoalRegion& region, const GoalPoint& point,
+               const Point& place) {
+  const double turned = point.is_turned ? std::numbers::pi : 0.0;
+  const Pose axle{
+      place.x, place.y,
+      wrap_angle(region.heading.from + point.at[heading] * width(region.heading) + turned)};
+  const double angle = between(region.hitch_angle.least, region.hitch_angle.most, point.at[hitch]);
+  return problem::state_at(vehicle, region, axle, angle);
+}
+
 }  // namespace
 
 LocalState state_of(const Task& task, const GoalPoint& point) {
   const GoalRegion& region = task.goal_set[point.region];
   Point place = place_in_box(region, point);
   if (!region.area.empty()) place = moved_into(region.area, place);
-  const double turned = point.is_turned ? std::numbers::pi : 0.0;
-  const Pose axle{
-      place.x, place.y,
-      wrap_angle(region.heading.from + point.at[heading] * width(region.heading) + turned)};
-  const double angle = between(region.hitch_angle.least, region.hitch_angle.most, point.at[hitch]);
-  return Local(problem::state_at(task.vehicle, region, axle, angle));
+  return Local(state_at(task.vehicle, region, point, place));
 }
 
 std::optional<GoalPoint> point_at(const Task& task, const LocalState& state) {
@@ -204,12 +210,7 @@ steering::Closing spread_of(const Vehicle& vehicle, const GoalRegion& region,
 }
 
 Pose middle_of(const Vehicle& vehicle, const GoalRegion& region, const GoalPoint& middle) {
-  const Point place = place_in_box(region, middle);
-  const Pose axle{place.x, place.y,
-                  region.heading.from + middle.at[heading] * width(region.heading) +
-                      (middle.is_turned ? std::numbers::pi : 0.0)};
-  const double angle = between(region.hitch_angle.least, region.hitch_angle.most, middle.at[hitch]);
-  return problem::state_at(vehicle, region, axle, angle).pose;
+  return state_at(vehicle, region, middle, place_in_box(region, middle)).pose;
 }
 
 /// Lower bound of the length of paths to a part. The Reeds-Shepp length is a distance. So it

@@ -12,6 +12,8 @@
 
 #include "base/trigonometry.h"
 #include "moving/encounters.h"
+#include "planners/drive_time.h"
+#include "search/route.h"
 #include "vandplan/steering.h"
 #include "vandplan/vehicle.h"
 
@@ -31,10 +33,6 @@ constexpr double look_step = 0.5;       // time between looks at obstacles [s]
 constexpr double max_steps = 400;       // most looks at an obstacle
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double top_speed(const Vehicle& vehicle) {
-  return std::max(vehicle.limits.max_speed.forward, vehicle.limits.max_speed.reverse);
-}
-
 double length_of(const Vehicle& vehicle) {
   return vehicle.rear_overhang + vehicle.wheelbase + vehicle.front_overhang;
 }
@@ -53,20 +51,6 @@ double straight_place(const Path& path, double s) {
     begin = end;
   }
   return begin;
-}
-
-/// The part of the path between two positions.
-std::vector<Segment> stretch_of(const Path& path, double from, double to) {
-  std::vector<Segment> stretch;
-  double begin = 0.0;
-  for (const Segment& segment : path.segments) {
-    const double length = std::abs(segment.length);
-    const double first = std::clamp(from - begin, 0.0, length);
-    const double last = std::clamp(to - begin, 0.0, length);
-    if (last > first) stretch.push_back(part_of(segment, first, last));
-    begin += length;
-  }
-  return stretch;
 }
 
 void append(std::vector<Segment>& way, const Piece& piece) {
@@ -223,7 +207,7 @@ std::optional<std::vector<Segment>> Refuges::way_there(const Path& path, double 
   for (int i = 0; i < places_to_leave; ++i) {
     const double back = uniform(0.0, furthest_along, rng_) * task_.vehicle.min_turning_radius;
     const double leaves = straight_place(path, std::max(s - back, 0.0));
-    std::vector<Segment> way = stretch_of(path, 0.0, leaves);
+    std::vector<Segment> way = search::part_of(path.segments, 0.0, leaves);
     const auto piece = connector_.connect(Local(pose_at(path, leaves)), refuge);
     if (!piece) continue;
     append(way, piece->piece);
@@ -242,7 +226,7 @@ std::optional<std::vector<Segment>> Refuges::way_onward(const Path& path, double
     if (!piece) continue;
     std::vector<Segment> way;
     append(way, piece->piece);
-    const std::vector<Segment> rest = stretch_of(path, returns, length(path));
+    const std::vector<Segment> rest = search::part_of(path.segments, returns, length(path));
     way.insert(way.end(), rest.begin(), rest.end());
     return way;
   }
@@ -255,7 +239,7 @@ bool Refuges::lets_pass(const LocalPose& pose, std::size_t passing) const {
   const Path none{pose, {}};
   const moving::Encounters encounters({none, task_.vehicle}, task_.moving, margin_);
   const double way = reeds_shepp_length(task_.start, pose, task_.vehicle.min_turning_radius);
-  const double begin = way / top_speed(task_.vehicle);
+  const double begin = way / planning::top_speed(task_.vehicle, {});
   const double end = std::max(encounters.rests(passing), begin);
   const double step = std::max(look_step, (end - begin) / max_steps);
   const auto gap = [&](std::size_t i, double t) {
