@@ -31,7 +31,6 @@ class LengthProver final : public Worker {
                            const search::Budget& budget) override;
   std::int64_t prove(std::int64_t steps, const search::Budget& budget) override;
   [[nodiscard]] Proven proven() const override;
-  [[nodiscard]] Counts counts() const override { return {}; }
 
  private:
   const Task& task_;
@@ -43,18 +42,9 @@ class LengthProver final : public Worker {
   double best_cost_;  // least cost of all routes that the worker knows
 };
 
-/// A worker that only proves. It has steps but no iterations, so results of an iteration budget do
-/// not depend on it.
-class Prover : public Worker {
- public:
-  [[nodiscard]] bool has_work() const override { return false; }
-  [[nodiscard]] Found work(std::int64_t, const Told&, const search::Budget&) override { return {}; }
-  [[nodiscard]] Counts counts() const override { return {}; }
-};
-
 /// Proves that nothing as wide as one of the bodies gets from the start to the goal, or that rules
 /// of zones forbid it.
-class WallProver final : public Prover {
+class WallProver final : public Worker {
  public:
   /// One body of the vehicle.
   struct Body {
@@ -80,7 +70,7 @@ class WallProver final : public Prover {
 
 /// Proves what zones and masks add to the cost of all paths, or to their length, if there are only
 /// rules.
-class ZoneProver final : public Prover {
+class ZoneProver final : public Worker {
  public:
   /// Task and pricing outlive the worker. `knows_length`: whether lengths are bounded at all.
   ZoneProver(const Task& task, const planning::Pricing& pricing, bool knows_length)

@@ -57,26 +57,28 @@ struct Counts {
   return {connector.solves(), connector.checks()};
 }
 
-/// One method of the anytime planner.
+/// One method of the anytime planner. It searches in iterations, or proves in steps, or both.
 class Worker {
  public:
   virtual ~Worker() = default;
 
   /// Whether another iteration may find anything.
-  [[nodiscard]] virtual bool has_work() const = 0;
+  [[nodiscard]] virtual bool has_work() const { return false; }
   /// Works for at most `iterations`; fewer if the budget is interrupted or nothing is left to do.
-  [[nodiscard]] virtual Found work(std::int64_t iterations, const Told& told,
-                                   const search::Budget& budget) = 0;
+  [[nodiscard]] virtual Found work(std::int64_t /*iterations*/, const Told& /*told*/,
+                                   const search::Budget& /*budget*/) {
+    return {};
+  }
   /// Tells the worker of a route that another worker gave up.
   virtual void offer(const search::Route& /*route*/) {}
 
-  /// Works on a proof, in at most `steps` steps, which are no iterations. Gives back the number of
-  /// steps.
+  /// Works on a proof, in at most `steps` steps. They are no iterations, so results of an iteration
+  /// budget do not depend on them. Gives back the number of steps.
   virtual std::int64_t prove(std::int64_t /*steps*/, const search::Budget& /*budget*/) { return 0; }
   /// What is proven so far.
   [[nodiscard]] virtual Proven proven() const { return {}; }
 
-  [[nodiscard]] virtual Counts counts() const = 0;
+  [[nodiscard]] virtual Counts counts() const { return {}; }
 };
 
 /// Steps of work between two looks at the clock.
