@@ -57,7 +57,7 @@ void Bender::wait(Drive route) {
 
 std::int64_t Bender::checks() const {
   std::int64_t sum = checks_ + follower_.checks() + (best_ ? best_->checks() : 0);
-  for (const Challenger& challenger : challengers_) sum += challenger.drive->checks();
+  for (const auto& challenger : challengers_) sum += challenger->checks();
   return sum;
 }
 
@@ -70,23 +70,22 @@ bool Bender::drive_along(std::span<const Segment> segments) {
 }
 
 /// Doubt of a challenger: its relative excess over the best drive, times its trials.
-double Bender::doubt(const Challenger& challenger) const {
+double Bender::doubt(const commands::DriveShortener& challenger) const {
   if (!best_) return 0.0;
-  const double excess = challenger.drive->cost() / best_->cost() - 1.0;
-  return excess * static_cast<double>(challenger.trials);
+  const double excess = challenger.cost() / best_->cost() - 1.0;
+  return excess * static_cast<double>(challenger.trials());
 }
 
 void Bender::drop(std::size_t i) {
-  checks_ += challengers_[i].drive->checks();
+  checks_ += challengers_[i]->checks();
   challengers_.erase(challengers_.begin() + static_cast<std::ptrdiff_t>(i));
 }
 
 /// Makes challenger `i` the best drive if it is cheaper. True if so.
 bool Bender::challenge(std::size_t i) {
-  Challenger& challenger = challengers_[i];
-  if (best_ && challenger.drive->cost() >= best_->cost()) return false;
+  if (best_ && challengers_[i]->cost() >= best_->cost()) return false;
   if (best_) checks_ += best_->checks();
-  best_ = std::move(challenger.drive);
+  best_ = std::move(challengers_[i]);
   challengers_.erase(challengers_.begin() + static_cast<std::ptrdiff_t>(i));
   return true;
 }
@@ -95,12 +94,12 @@ void Bender::add(std::span<const commands::Command> drive) {
   if (challengers_.size() == max_challenging) {
     std::size_t worst = 0;
     for (std::size_t i = 1; i < challengers_.size(); ++i) {
-      if (doubt(challengers_[i]) > doubt(challengers_[worst])) worst = i;
+      if (doubt(*challengers_[i]) > doubt(*challengers_[worst])) worst = i;
     }
     drop(worst);
   }
-  challengers_.push_back({std::make_unique<commands::DriveShortener>(
-      task_, rule_, drive, stream_seed(seed_, drives_++), measure_)});
+  challengers_.push_back(std::make_unique<commands::DriveShortener>(
+      task_, rule_, drive, stream_seed(seed_, drives_++), measure_));
 }
 
 /// Makes a drive of the next waiting route. True if it is cheaper than the best drive.
@@ -130,7 +129,7 @@ bool Bender::follow() {
 std::size_t Bender::next_challenger() const {
   std::size_t next = challengers_.size() - 1;
   for (std::size_t i = next; i-- > 0;) {
-    if (doubt(challengers_[i]) < doubt(challengers_[next])) next = i;
+    if (doubt(*challengers_[i]) < doubt(*challengers_[next])) next = i;
   }
   return next;
 }
@@ -143,11 +142,9 @@ bool Bender::step() {
   if (is_following_) return follow();
   if (challengers_.empty()) return best_ && best_->step();
   const std::size_t i = next_challenger();
-  Challenger& challenger = challengers_[i];
-  challenger.drive->step();
-  ++challenger.trials;
+  (void)challengers_[i]->step();
   if (challenge(i)) return true;
-  if (challenger.drive->is_stalled() || doubt(challenger) > hopeless) drop(i);
+  if (challengers_[i]->is_stalled() || doubt(*challengers_[i]) > hopeless) drop(i);
   return false;
 }
 

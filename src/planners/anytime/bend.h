@@ -64,19 +64,13 @@ class Bender final : public Worker {
   [[nodiscard]] std::int64_t checks() const;
 
  private:
-  /// Drive that may become cheaper than the best drive.
-  struct Challenger {
-    std::unique_ptr<commands::DriveShortener> drive;
-    std::int64_t trials = 0;  // trials spent on the drive
-  };
-
   void wait(Drive route);
   [[nodiscard]] bool drive_along(std::span<const Segment> segments);
   void add(std::span<const commands::Command> drive);
   bool begin();
   bool follow();
   bool challenge(std::size_t i);
-  [[nodiscard]] double doubt(const Challenger& challenger) const;
+  [[nodiscard]] double doubt(const commands::DriveShortener& challenger) const;
   [[nodiscard]] std::size_t next_challenger() const;
   void drop(std::size_t i);
 
@@ -92,7 +86,8 @@ class Bender final : public Worker {
   /// Routes by falling cost; of equal ones the newest last. The cost of a known path is infinite.
   std::vector<Drive> waiting_;
   std::unique_ptr<commands::DriveShortener> best_;
-  std::vector<Challenger> challengers_;
+  /// Drives that may become cheaper than the best drive.
+  std::vector<std::unique_ptr<commands::DriveShortener>> challengers_;
   std::int64_t checks_ = 0;  // checks of drives that were dropped
   Follower follower_;
   bool is_following_ = false;

@@ -273,6 +273,7 @@ bool DriveShortener::try_trial(const Window& window, double limit) {
 }
 
 bool DriveShortener::step() {
+  ++trials_;
   ++idle_;
   if (commands_.empty()) return false;
   const bool is_better = sweeps() ? sweep() : try_anything();

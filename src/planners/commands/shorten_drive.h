@@ -35,6 +35,7 @@ class DriveShortener {
   void drop_crumbs();
 
   [[nodiscard]] double cost() const { return cost_; }
+  [[nodiscard]] std::int64_t trials() const { return trials_; }
   [[nodiscard]] const std::vector<Command>& commands() const { return commands_; }
   /// The segments of the drive, which ends at the goal.
   [[nodiscard]] std::vector<Segment> segments() const {
@@ -102,7 +103,8 @@ class DriveShortener {
   std::size_t swept_ = 0;    // index of the next command that a sweep leaves out
   std::size_t in_vain_ = 0;  // commands left out in vain since the last gain of the sweep
   Rng rng_;
-  double size_ = 0.1;           // relative size of what a trial changes
+  double size_ = 0.1;  // relative size of what a trial changes
+  std::int64_t trials_ = 0;
   int idle_ = 0;                // trials since the last progress
   double progress_cost_ = 0.0;  // cost at the last progress
   std::int64_t checks_ = 0;

@@ -26,7 +26,7 @@ Improver::Improver(const Setting& setting, Chain chain, std::uint64_t seed)
 bool Improver::step(double best) {
   if (drive_->is_stalled()) return soften();
   (void)drive_->step();
-  if (setting_.pricing.counts_time() || ++trials_ % trials_of_check != 0) return true;
+  if (setting_.pricing.counts_time() || drive_->trials() % trials_of_check != 0) return true;
   const double gain = before_ - drive_->cost();
   before_ = drive_->cost();
   return before_ - hope * gain <= best;

@@ -34,7 +34,6 @@ class Improver {
   std::uint64_t seed_;
   std::size_t wheels_;
   std::optional<commands::DriveShortener> drive_;
-  std::int64_t trials_ = 0;  // trials with the present wheels
   double before_;            // cost at the last check whether the drive is hopeless
   std::int64_t checks_ = 0;  // checks with former wheels
 };
