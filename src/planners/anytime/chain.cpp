@@ -67,10 +67,6 @@ bool Chain::is_free() const {
   return std::ranges::all_of(links_, [](const Link& link) { return link.is_free; });
 }
 
-Chain::Link Chain::link_between(const Via& from, const Via& to, const Piece& piece) {
-  return {piece, to, connector_.is_free(from.pose, piece)};
-}
-
 /// Gears and curvatures before link `first` and from link `last` on.
 DrivenBeside Chain::driven_beside(std::size_t first, std::size_t last) const {
   const DrivenBeside ends = driven_at_ends(task_, connector_.rule().initial_gear);
@@ -78,19 +74,24 @@ DrivenBeside Chain::driven_beside(std::size_t first, std::size_t last) const {
           last == links_.size() ? ends.after : first_driven(links_[last].piece)};
 }
 
-/// Links from place to place; `around`: what is driven before and after them. None if two places
-/// cannot be joined.
+/// Links from place to place; `around`: what is driven before and after them. `keeps_old`: whether
+/// pieces of the old path that the vehicle can drive are kept; they are not where the start has
+/// moved, nor at the goal. None if two places cannot be joined.
 std::optional<std::vector<Chain::Link>> Chain::linked(std::span<const Via> vias,
-                                                      const DrivenBeside& around) {
+                                                      const DrivenBeside& around, bool keeps_old) {
   std::vector<Link> result;
   Driven before = around.before;
   for (std::size_t i = 0; i + 1 < vias.size(); ++i) {
     const bool is_last = i + 2 == vias.size();
-    const Driven after = is_last ? around.after : Driven(vias[i + 1].next);
-    const std::optional<Piece> piece =
-        connector_.steer(vias[i].pose, vias[i + 1].pose, {before, after});
+    const bool is_old = keeps_old && !is_last && (i > 0 || task_.start == old_.start);
+    const Via& from = vias[i];
+    const Via& to = vias[i + 1];
+    std::optional<Piece> piece;
+    if (is_old) piece = old_piece(from, to, before);
+    const Driven after = is_last ? around.after : Driven(to.next);
+    if (!piece) piece = connector_.steer(from.pose, to.pose, {before, after});
     if (!piece) return std::nullopt;
-    result.push_back(link_between(vias[i], vias[i + 1], *piece));
+    result.push_back({*piece, to, connector_.is_free(from.pose, *piece)});
     before = last_driven(*piece);
   }
   return result;
@@ -133,21 +134,9 @@ std::optional<Piece> Chain::old_piece(const Via& from, const Via& to, Driven bef
 }
 
 bool Chain::take_over() {
-  const DrivenBeside ends = driven_at_ends(task_, connector_.rule().initial_gear);
-  Driven before = ends.before;
-  for (std::size_t i = 0; i + 1 < vias_.size(); ++i) {
-    const bool is_last = i + 2 == vias_.size();
-    const bool is_old = !is_last && (i > 0 || task_.start == old_.start);
-    const Via& from = vias_[i];
-    const Via& to = vias_[i + 1];
-    std::optional<Piece> piece;
-    if (is_old) piece = old_piece(from, to, before);
-    const Driven after = is_last ? ends.after : Driven(to.next);
-    if (!piece) piece = connector_.steer(from.pose, to.pose, {before, after});
-    if (!piece) return false;
-    links_.push_back(link_between(from, to, *piece));
-    before = last_driven(*piece);
-  }
+  auto all = linked(vias_, driven_at_ends(task_, connector_.rule().initial_gear), true);
+  if (!all) return false;
+  links_ = *std::move(all);
   leave_out();
   return true;
 }

@@ -51,10 +51,10 @@ class Chain {
   [[nodiscard]] const Via& begin_of(std::size_t i) const {
     return i == 0 ? vias_.front() : links_[i - 1].to;
   }
-  [[nodiscard]] Link link_between(const Via& from, const Via& to, const Piece& piece);
   [[nodiscard]] DrivenBeside driven_beside(std::size_t first, std::size_t last) const;
   [[nodiscard]] std::optional<std::vector<Link>> linked(std::span<const Via> vias,
-                                                        const DrivenBeside& around);
+                                                        const DrivenBeside& around,
+                                                        bool keeps_old = false);
   [[nodiscard]] Via beside(double s, GearSign next);
   [[nodiscard]] std::optional<Piece> old_piece(const Via& from, const Via& to, Driven before) const;
   [[nodiscard]] double clearance_cost(std::size_t first, std::size_t last) const;

@@ -87,25 +87,26 @@ double Follower::blocked(std::span<const Command> commands, LocalPose pose, Driv
   return sum;
 }
 
-/// Finds commands from a stage to a cut. False if no change of them leads there.
-bool Follower::lead(Part& part) {
-  const Cut& to = cuts_[part.cut];
-  const search::DrivenBeside ends{part.from.driven, {0, to.curvature}};
-  part.commands = wheels_.commands(
-      std::span(way_).subspan(part.from.segment, to.segment - part.from.segment), ends);
-  commands::hold_curvatures(part.commands, task_.vehicle.min_turning_radius);
-  return !part.commands.empty() &&
-         closer_.close({part.from.pose, 0.0}, part.commands, {to.pose, 0.0}, ends);
+/// Commands from a stage to a cut; empty if no change of them leads there.
+std::vector<Command> Follower::part_between(const Stage& from, const Cut& to) {
+  const search::DrivenBeside ends{from.driven, {0, to.curvature}};
+  std::vector<Command> part =
+      wheels_.commands(std::span(way_).subspan(from.segment, to.segment - from.segment), ends);
+  commands::hold_curvatures(part, task_.vehicle.min_turning_radius);
+  const bool leads_there =
+      !part.empty() && closer_.close({from.pose, 0.0}, part, {to.pose, 0.0}, ends);
+  return leads_there ? part : std::vector<Command>{};
 }
 
-void Follower::take(const Part& part) {
-  Driven driven = part.from.driven;
-  for (const Command& command : part.commands) (void)wheels_.obey(command, driven);
-  while (stages_.back().commands > part.from.commands) stages_.pop_back();
-  base::splice(drive_, part.from.commands, drive_.size(), part.commands);
-  const Cut& to = cuts_[part.cut];
+/// Goes on with a part of the drive from a stage to a cut.
+void Follower::take(const Stage& from, std::size_t cut, std::span<const Command> part) {
+  Driven driven = from.driven;
+  for (const Command& command : part) (void)wheels_.obey(command, driven);
+  base::splice(drive_, from.commands, drive_.size(), part);
+  while (stages_.back().commands > from.commands) stages_.pop_back();
+  const Cut& to = cuts_[cut];
   stages_.push_back({to.segment, drive_.size(), to.pose, driven});
-  next_ = part.cut + 1;
+  next_ = cut + 1;
   tried_ = 0;
 }
 
@@ -114,16 +115,21 @@ void Follower::take(const Part& part) {
 bool Follower::go_on() {
   if (next_ + tried_ == cuts_.size()) return false;
   const std::size_t to = next_ + tried_++;
-  std::optional<Part> least;
+  double least = std::numeric_limits<double>::infinity();  // blocked length of the best part [m]
+  std::vector<Command> best;
+  Stage from{};
   for (std::size_t back = 1; back <= std::min(max_stages_back, stages_.size()); ++back) {
-    Part part{stages_[stages_.size() - back], to, {}, 0.0};
-    if (!lead(part)) continue;
-    part.blocked = blocked(part.commands, part.from.pose, part.from.driven,
-                           least ? least->blocked : std::numeric_limits<double>::infinity());
-    if (!least || part.blocked < least->blocked) least = std::move(part);
-    if (least->blocked == 0.0) break;
+    const Stage& stage = stages_[stages_.size() - back];
+    std::vector<Command> part = part_between(stage, cuts_[to]);
+    if (part.empty()) continue;
+    const double length = blocked(part, stage.pose, stage.driven, least);
+    if (length >= least) continue;
+    least = length;
+    best = std::move(part);
+    from = stage;
+    if (least == 0.0) break;
   }
-  if (least) take(*least);
+  if (!best.empty()) take(from, to, best);
   return true;
 }
 

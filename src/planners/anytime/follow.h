@@ -50,18 +50,11 @@ class Follower {
     LocalPose pose;
     search::Driven driven;
   };
-  /// A drive from a stage to a cut.
-  struct Part {
-    Stage from;
-    std::size_t cut = 0;
-    std::vector<commands::Command> commands;
-    double blocked = 0.0;  // length of the blocked segments [m]
-  };
 
   void cut(std::span<const Segment> way);
   bool go_on();
-  [[nodiscard]] bool lead(Part& part);
-  void take(const Part& part);
+  [[nodiscard]] std::vector<commands::Command> part_between(const Stage& from, const Cut& to);
+  void take(const Stage& from, std::size_t cut, std::span<const commands::Command> part);
   void measure(std::size_t first, std::size_t last);
   [[nodiscard]] std::pair<std::size_t, std::size_t> any_window();
   [[nodiscard]] double blocked(std::span<const commands::Command> commands, LocalPose pose,
