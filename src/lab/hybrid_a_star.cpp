@@ -346,8 +346,7 @@ std::vector<Segment> shortened(HybridAStarSearch& search, Budget& budget,
     measure = [&](const Route& changed) { return search.measure(changed); };
     route.cost = measure(route);
   }
-  anytime::Shortener shortener(search.connector(), std::move(route), options.budget.seed,
-                               anytime::Scope::all, measure);
+  anytime::Shortener shortener(search.connector(), std::move(route), options.budget.seed, measure);
   while (shortens && !shortener.is_stalled() && budget.next()) {
     if (shortener.step() && !measure) trace(shortener.route().cost);
   }

@@ -156,8 +156,7 @@ void Smoother::begin_trials() {
     if (const auto of_drive = pricing_.measure()) {
       measure = [of_drive](const Route& r) { return of_drive(path_of(r).segments); };
     }
-    shortener_.emplace(*connector_, chain_->route(), stream_seed(seed_, 1), anytime::Scope::all,
-                       std::move(measure));
+    shortener_.emplace(*connector_, chain_->route(), stream_seed(seed_, 1), std::move(measure));
   }
   chain_.reset();
   if (is_drivable_ || task_.vehicle.trailer) bend();

@@ -252,7 +252,7 @@ TEST(Survey, GivesTheFirstWayAtOnce) {
 // A route that wins for a while may be of a kind that gets cheaper than all others yet.
 TEST(Seeker, KeepsWhatHasWonForAWhile) {
   const Problem problem = problem_of({0, 0, pi}, {100, 0, pi}, {box(40, 20, 60, 30)});
-  anytime::Seeker worker(problem.task(), rules[1], anytime::Scope::all, 1,
+  anytime::Seeker worker(problem.task(), rules[1], 1,
                          [&] { return std::make_unique<Survey>(problem.task(), rules[1]); });
   const Budget budget{BudgetOptions{}};
   Route reverse{problem.task().start, {}, 0.0};

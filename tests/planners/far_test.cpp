@@ -28,7 +28,6 @@ namespace vandplan {
 namespace {
 
 using anytime::Lattice;
-using anytime::Scope;
 using anytime::Shortener;
 using anytime::Strung;
 using search::Connector;
@@ -246,7 +245,7 @@ TEST(Shortener, WindowsShortenALongRouteAndKeepItWhole) {
     const std::optional<Route> raw = long_route(problem, connector);
     ASSERT_TRUE(raw);
     ASSERT_GT(raw->legs.size(), 40U);
-    Shortener shortener(connector, *raw, rng(), Scope::windows);
+    Shortener shortener(connector, *raw, rng());
     EXPECT_GT(shortener.trials_for_one(), 2.0);
     double cost = shortener.cost();
     EXPECT_NEAR(cost, raw->cost, 1e-6);

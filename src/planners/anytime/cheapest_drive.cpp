@@ -49,7 +49,7 @@ void CheapestDrive::begin() {
 
 void CheapestDrive::begin_with(const Route& route) {
   Connector& connector = connectors_[beginnings_ % connectors_.size()];
-  shortener_.emplace(connector, route, stream_seed(seed_, ++beginnings_), Scope::all, measure_);
+  shortener_.emplace(connector, route, stream_seed(seed_, ++beginnings_), measure_);
 }
 
 bool CheapestDrive::take(Route route) {

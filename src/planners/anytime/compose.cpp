@@ -100,7 +100,6 @@ class Composer {
   std::unique_ptr<const planning::Pricing> pricing_;
   const CostRule& rule_;
   bool is_far_;                   // whether the task goes over a whole site
-  Scope scope_;                   // part of a route that shortening may change
   bool bends_;                    // whether bending may make routes cheaper
   bool has_gap_;                  // whether a gap is to be proven
   bool is_warm_ = false;          // whether the run begins with a route along a known path
@@ -118,7 +117,6 @@ Composer::Composer(const Task& task, const PlanOptions& options, double time_pri
       pricing_(std::make_unique<planning::Pricing>(task, options.cost, time_price)),
       rule_(pricing_->rule()),
       is_far_(search::is_site(task, sampling_region(task, Region::scene))),
-      scope_(is_far_ ? Scope::windows : Scope::all),
       bends_((!rule_.is_length() || is_continuous()) && !pricing_->counts_time() && !is_far_),
       has_gap_(options.budget.target_gap.has_value()),
       portfolio_{.pricing = nullptr,
@@ -205,13 +203,13 @@ Slot& Composer::add(std::string_view name, std::unique_ptr<Worker> worker, Share
 
 template <class Make>
 std::unique_ptr<Seeker> Composer::seeker(const Task& task, std::uint64_t stream, Make make) const {
-  return std::make_unique<Seeker>(task, rule_, scope_, seed(stream), make);
+  return std::make_unique<Seeker>(task, rule_, seed(stream), make);
 }
 
 // [2] [3] Adds lattice searches from one end.
 void Composer::add_search(std::string_view name, std::uint64_t stream, Root root, const Row& row) {
-  auto worker = seeker(task_, stream, [&task = task_, &rule = rule_, root, scope = scope_] {
-    return std::make_unique<Ladder>(task, rule, root, scope);
+  auto worker = seeker(task_, stream, [&task = task_, &rule = rule_, root] {
+    return std::make_unique<Ladder>(task, rule, root);
   });
   add(name, std::move(worker), share(row));
 }
@@ -311,7 +309,7 @@ void Composer::add_proposals(const NamedSource& source, std::uint64_t number) {
   auto make = [&task = task_, &rule = rule_, options = options_, &source, own_seed] {
     return std::make_unique<Proposals>(task, rule, source.make(task, options), own_seed);
   };
-  add(source.name, std::make_unique<Seeker>(task_, rule_, scope_, own_seed, std::move(make)),
+  add(source.name, std::make_unique<Seeker>(task_, rule_, own_seed, std::move(make)),
       [share = source.share](const Progress& now) {
         return now.has_route ? growing_share(share, now.rounds_with_route) : share;
       });
@@ -337,7 +335,7 @@ Portfolio Composer::portfolio() && {
   add_search("search from the start", stream::search_from_start, Root::start,
              shares::search_from_start);
   if (is_far_ || rule_.is_length()) {
-    add("refine", std::make_unique<Refiner>(task_, rule_, scope_, seed(stream::refine)),
+    add("refine", std::make_unique<Refiner>(task_, rule_, seed(stream::refine)),
         share(shares::refine));
   }
   add_length_prover();

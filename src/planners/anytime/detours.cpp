@@ -177,8 +177,8 @@ bool Detours::search() {
     return false;
   }
   if (!lattice_->step()) return false;
-  patch_.emplace(*connector_, lattice_->route(), rng_(), Scope::all,
-                 std::function<double(const Route&)>(), beside_);
+  patch_.emplace(*connector_, lattice_->route(), rng_(), std::function<double(const Route&)>(),
+                 beside_);
   trials_ = 0;
   return false;
 }

@@ -14,8 +14,8 @@ namespace vandplan::anytime {
 class Refiner final : public Worker {
  public:
   /// The task and the rule outlive the worker.
-  Refiner(const Task& task, const CostRule& rule, Scope scope, std::uint64_t seed)
-      : connector_(task, rule), scope_(scope), seed_(seed) {}
+  Refiner(const Task& task, const CostRule& rule, std::uint64_t seed)
+      : connector_(task, rule), seed_(seed) {}
 
   [[nodiscard]] bool has_work() const override { return true; }
   [[nodiscard]] Found work(std::int64_t iterations, const Told& told,
@@ -24,7 +24,6 @@ class Refiner final : public Worker {
 
  private:
   Connector connector_;
-  Scope scope_;
   std::uint64_t seed_;
   std::uint64_t routes_ = 0;          // routes refined so far; numbers their seeds
   double best_cost_ = 0.0;            // least cost of all routes that the worker knows

@@ -8,11 +8,10 @@
 
 namespace vandplan::anytime {
 
-Seeker::Seeker(const Task& task, const CostRule& rule, Scope scope, std::uint64_t seed,
+Seeker::Seeker(const Task& task, const CostRule& rule, std::uint64_t seed,
                std::function<std::unique_ptr<Source>()> make)
     : make_(std::move(make)),
       connector_(task, rule),
-      scope_(scope),
       seed_(seed),
       best_cost_(std::numeric_limits<double>::infinity()),
       told_cost_(best_cost_) {}
@@ -48,7 +47,7 @@ bool Seeker::begin() {
   if (!source_->step()) return false;
   Route route = source_->route();
   if (connector_.rule().has_surcharge()) price(connector_, route);
-  candidate_.emplace(connector_, std::move(route), stream_seed(seed_, ++candidates_), scope_);
+  candidate_.emplace(connector_, std::move(route), stream_seed(seed_, ++candidates_));
   trials_ = 0;
   return true;
 }

@@ -19,7 +19,7 @@ class Seeker final : public Worker {
  public:
   /// `make` is called when the worker gets its first iterations or its first offer. Other workers
   /// may make it needless before. The task and the rule outlive the worker.
-  Seeker(const Task& task, const CostRule& rule, Scope scope, std::uint64_t seed,
+  Seeker(const Task& task, const CostRule& rule, std::uint64_t seed,
          std::function<std::unique_ptr<Source>()> make);
 
   [[nodiscard]] bool has_work() const override;
@@ -40,7 +40,6 @@ class Seeker final : public Worker {
   std::function<std::unique_ptr<Source>()> make_;
   std::unique_ptr<Source> source_;
   Connector connector_;
-  Scope scope_;
   std::uint64_t seed_;
   double best_cost_;                    // least cost of all routes that the worker knows
   double told_cost_;                    // cost of the best route that the source was told

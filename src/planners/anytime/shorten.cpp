@@ -32,7 +32,7 @@ double crumbs_of(const Route& route, double radius) {
 
 }  // namespace
 
-Shortener::Shortener(Connector& connector, Route route, std::uint64_t seed, Scope scope,
+Shortener::Shortener(Connector& connector, Route route, std::uint64_t seed,
                      std::function<double(const Route&)> measure,
                      std::optional<DrivenBeside> beside)
     : connector_(connector),
@@ -43,7 +43,7 @@ Shortener::Shortener(Connector& connector, Route route, std::uint64_t seed, Scop
       last_(route_.legs.size()),
       visit_cost_(route_.cost),
       rng_(seed) {
-  if (scope == Scope::all || route_.legs.size() <= 2 * legs_of_window) return;
+  if (measure_ || route_.legs.size() <= 2 * legs_of_window) return;
   // The first window is anywhere. Otherwise each shortener that takes a route over would begin with
   // the same legs.
   first_ = last_ = rng_() % route_.legs.size();

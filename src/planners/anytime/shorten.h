@@ -19,19 +19,15 @@ using namespace search;
 /// hopeless: what trials gain falls about as one over their number (docs/algorithms/anytime.md).
 inline constexpr double hopeless = 8.0;
 
-/// Part of a route that trials may change.
-enum class Scope {
-  all,      ///< the whole route
-  windows,  ///< some legs, then the next ones: a trial costs as much however long the route is
-};
-
-/// Improves one route by random trials; a trial is kept only if it is free and cheaper.
+/// Improves one route by random trials; a trial is kept only if it is free and cheaper. Of a long
+/// route trials change some legs, the window, and then the next ones. So a trial costs as much
+/// however long the route is.
 class Shortener {
  public:
   /// `beside`: what is driven before and after the route, if it is a part of another one. With a
   /// `measure` routes are compared by it, and the prices of the connector are only a guide. The
-  /// scope is `all` then, and the cost of the route is that of the measure.
-  Shortener(Connector& connector, Route route, std::uint64_t seed, Scope scope = Scope::all,
+  /// window is the whole route then, and the cost of the route is that of the measure.
+  Shortener(Connector& connector, Route route, std::uint64_t seed,
             std::function<double(const Route&)> measure = {},
             std::optional<DrivenBeside> beside = {});
 

@@ -42,13 +42,13 @@ CostRule rule_from(const CostRule& rule, Root root) {
 
 }  // namespace
 
-Ladder::Ladder(const Task& task, const CostRule& rule, Root root, Scope scope)
+Ladder::Ladder(const Task& task, const CostRule& rule, Root root)
     : task_(task),
       scene_(sampling_region(task, Region::scene)),
       from_(root == Root::start ? task.start : task.goal),
       to_(root == Root::start ? task.goal : task.start),
       root_(root),
-      is_far_(scope == Scope::windows),
+      is_far_(is_site(task, scene_)),
       rule_(rule),
       by_length_(task, length_rule(rule_from(rule, root))),
       by_price_(task, rule_from(rule, root)),

@@ -9,7 +9,6 @@
 
 #include "planners/anytime/lattice.h"
 #include "planners/anytime/rotation.h"
-#include "planners/anytime/shorten.h"
 #include "planners/anytime/source.h"
 #include "planners/anytime/strung.h"
 #include "search/grid_distance.h"
@@ -25,8 +24,8 @@ enum class Root { start, goal };
 /// search found a route, because a slot is tight, that search is repeated by price instead.
 class Ladder final : public Source {
  public:
-  /// `Scope::windows`: the task goes over a whole site, of which the search sees only a strip.
-  Ladder(const Task& task, const CostRule& rule, Root root, Scope scope);
+  /// Task and rule outlive the object. Over a whole site the search sees only a strip.
+  Ladder(const Task& task, const CostRule& rule, Root root);
 
   /// Works for a few microseconds. True when a route was found: `route`.
   [[nodiscard]] bool step() override;
