@@ -285,6 +285,24 @@ double drive_cost(const CostRule& rule, std::span<const Segment> segments) {
 
 namespace {
 
+/// Sum of a surcharge over all segments; above `cutoff` it is any number above it.
+/// `surcharge(state, segment, cutoff)`: surcharge of one segment from a state.
+template <class Surcharge>
+double sum_along(const Task& task, const CostRule& rule, const LocalState& from,
+                 std::span<const Segment> segments, double cutoff, Surcharge surcharge) {
+  double sum = 0.0;
+  LocalState state = from;
+  for (const Segment& segment : segments) {
+    if (segment.length == 0.0) continue;
+    if (sum > cutoff) break;
+    const GearSign gear = gear_of(segment);
+    if (!rule.allows(gear)) return rule.weight(gear);
+    sum += surcharge(state, segment, cutoff - sum);
+    state = advance(task.vehicle, state, segment);
+  }
+  return sum;
+}
+
 /// Surcharge near obstacles alone. `whole`: length of the path of which the segments are a part
 /// [m].
 double near_cost(const Task& task, const CostRule& rule, const LocalState& from,
@@ -293,21 +311,14 @@ double near_cost(const Task& task, const CostRule& rule, const LocalState& from,
   if (rule.clearance_weight == 0.0) return 0.0;
   const double distance = rule.clearance_distance;
   const SamplingSteps steps{distance / samples_of_search, whole / max_samples_of_search_at_path};
-  double sum = 0.0;
-  LocalState state = from;
-  for (const Segment& segment : segments) {
-    if (segment.length == 0.0) continue;
-    if (sum > cutoff) break;
-    const GearSign gear = gear_of(segment);
-    if (!rule.allows(gear)) return rule.weight(gear);
-    const double price = rule.clearance_weight * rule.weight(gear);
+  const auto near = [&](const LocalState& state, const Segment& segment, double left) {
+    const double price = rule.clearance_weight * rule.weight(gear_of(segment));
     const SampledSegment sampled{task, state, segment};
-    sum += price * (sampling == ClearanceSampling::answer
+    return price * (sampling == ClearanceSampling::answer
                         ? exact_nearness(sampled, rule, whole)
-                        : nearness(sampled, distance, steps, (cutoff - sum) / price));
-    state = advance(task.vehicle, state, segment);
-  }
-  return sum;
+                        : nearness(sampled, distance, steps, left / price));
+  };
+  return sum_along(task, rule, from, segments, cutoff, near);
 }
 
 /// Surcharge of one segment in zones, and near obstacles there.
@@ -339,17 +350,10 @@ double clearance_cost(const Task& task, const CostRule& rule, const LocalState& 
                       double cutoff) {
   const double whole = length(segments);
   if (!rule.tells_grounds()) return near_cost(task, rule, from, segments, whole, sampling, cutoff);
-  double sum = 0.0;
-  LocalState state = from;
-  for (const Segment& segment : segments) {
-    if (segment.length == 0.0) continue;
-    if (sum > cutoff) break;
-    const GearSign gear = gear_of(segment);
-    if (!rule.allows(gear)) return rule.weight(gear);
-    sum += ground_cost(task, rule, state, segment, whole, sampling, cutoff - sum);
-    state = advance(task.vehicle, state, segment);
-  }
-  return sum;
+  const auto on_ground = [&](const LocalState& state, const Segment& segment, double left) {
+    return ground_cost(task, rule, state, segment, whole, sampling, left);
+  };
+  return sum_along(task, rule, from, segments, cutoff, on_ground);
 }
 
 }  // namespace vandplan::search

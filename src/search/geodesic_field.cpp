@@ -17,16 +17,6 @@ std::int64_t key_of(const TautWays::RunId& run) {
   return static_cast<std::int64_t>(run.row) << 32 | run.index;
 }
 
-/// Length of the shortest of a node's ways to a point of the run it leads into [cells].
-double way_by(const TautWays::Node& node, const Point& point) {
-  const double before = std::abs(node.line - node.root.y);
-  const double behind = std::abs(point.y - node.line);
-  const double share = before + behind > 0 ? before / (before + behind) : 1.0;
-  const double x = std::clamp(node.root.x + share * (point.x - node.root.x), node.interval.left,
-                              node.interval.right);
-  return node.cost + std::hypot(x - node.root.x, before) + std::hypot(point.x - x, behind);
-}
-
 }  // namespace
 
 GeodesicField::GeodesicField(OpenRows lattice, const Point& start, const Point& goal,
@@ -58,7 +48,7 @@ double GeodesicField::at(const Point& point) {
   if (nodes == into_.end()) return least;
   for (const TautWays::Node& node : nodes->second) {
     if (node.rank > least) break;  // Nodes are kept in the order of their rank.
-    least = std::min(least, way_by(node, point));
+    least = std::min(least, node.way_to(point));
   }
   return least;
 }

@@ -59,12 +59,14 @@ std::vector<Bounds> OneWay::barring() const {
   return boxes;
 }
 
+bool OneWay::Street::holds(const Point& middle, double off) const {
+  return contains(geometry::widened(box, std::max(near, 0.0)), middle) &&
+         geometry::distance_from_border(area, middle) <= near - off - slack_of_sides;
+}
+
 bool OneWay::bars(const Point& middle, double length, int sense) const {
   return std::any_of(streets_.begin(), streets_.end(), [&](const Street& street) {
-    return street.bars[static_cast<std::size_t>(sense)] &&
-           contains(geometry::widened(street.box, std::max(street.near, 0.0)), middle) &&
-           geometry::distance_from_border(street.area, middle) <=
-               street.near - length / 2 - slack_of_sides;
+    return street.bars[static_cast<std::size_t>(sense)] && street.holds(middle, length / 2);
   });
 }
 
@@ -79,17 +81,13 @@ bool OneWay::forbids(const Point& centre, double off, double heading, double tur
     };
     const bool is_astray =
         (only < 0 || is_wrong(heading)) && (only > 0 || is_wrong(heading + std::numbers::pi));
-    return is_astray &&
-           contains(geometry::widened(street.box, std::max(street.near, 0.0)), centre) &&
-           geometry::distance_from_border(street.area, centre) <=
-               street.near - off - slack_of_sides;
+    return is_astray && street.holds(centre, off);
   });
 }
 
 int OneWay::street_of(const Point& middle, double off) const {
   const auto street = std::find_if(streets_.begin(), streets_.end(), [&](const Street& each) {
-    return each.onward && contains(geometry::widened(each.box, std::max(each.near, 0.0)), middle) &&
-           geometry::distance_from_border(each.area, middle) <= each.near - off - slack_of_sides;
+    return each.onward && each.holds(middle, off);
   });
   return street == streets_.end() ? -1 : static_cast<int>(street - streets_.begin());
 }

@@ -55,6 +55,9 @@ class OneWay {
     double near;                  // Distance from the area at which the rules surely hold [m].
     std::array<bool, 4> bars;     // Whether it bars each sense.
     std::optional<Point> onward;  // Unit vector of its middle direction, if it leads onward.
+
+    /// Whether its rules surely hold at all places up to `off` [m] from a point.
+    [[nodiscard]] bool holds(const Point& middle, double off) const;
   };
   std::vector<Street> streets_;
 };

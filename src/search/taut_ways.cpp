@@ -91,17 +91,12 @@ void TautWays::for_neighbours(const RunId& id, std::int32_t line, Visit visit) {
   }
 }
 
-// Lower bound on the way through a node to the goal, through the interval's best point for a goal
-// in sight.
-double TautWays::way_to_goal(const Node& node) const {
-  const double y = node.line;
-  const bool goes_up = node.into.row == node.line;
-  const double ahead = std::abs(goal_.y - y);  // A goal behind is as far as its mirror image.
-  const double behind = goes_up ? y - node.root.y : node.root.y - y;
-  const double share = behind + ahead > 0 ? behind / (behind + ahead) : 1.0;
-  const double x = std::clamp(node.root.x + share * (goal_.x - node.root.x), node.interval.left,
-                              node.interval.right);
-  return node.cost + std::hypot(x - node.root.x, behind) + std::hypot(goal_.x - x, ahead);
+double TautWays::Node::way_to(const Point& point) const {
+  const double before = std::abs(line - root.y);
+  const double behind = std::abs(point.y - line);
+  const double share = before + behind > 0 ? before / (before + behind) : 1.0;
+  const double x = std::clamp(root.x + share * (point.x - root.x), interval.left, interval.right);
+  return cost + std::hypot(x - root.x, before) + std::hypot(point.x - x, behind);
 }
 
 std::int64_t TautWays::key_of(const Point& corner) const noexcept {
@@ -126,7 +121,7 @@ void TautWays::push(Node node) {
     if (x != node.root.x && !reaches({x, node.root.y}, node.cost)) return;
     node.root.x = x;
   }
-  const double way = way_to_goal(node);
+  const double way = node.way_to(goal_);  // a lower bound unless the goal is in sight
   if (longest_ && way > *longest_) return;
   node.rank = longest_ ? way_to_interval(node) : way;
   open_.push(node);

@@ -40,6 +40,10 @@ class TautWays {
     Interval interval;
     std::int32_t line;
     RunId from, into;
+
+    /// Length of the shortest of its ways to a point of the run it leads into. A point behind the
+    /// interval is as far as its mirror image.
+    [[nodiscard]] double way_to(const Point& point) const;
   };
   /// Bound on the rounding error of a length.
   static constexpr double rounding = 1e-9;
@@ -76,7 +80,6 @@ class TautWays {
     bool operator()(const Node& a, const Node& b) const { return a.rank > b.rank; }
   };
   [[nodiscard]] const OpenRows::Row& runs(std::int32_t row);
-  [[nodiscard]] double way_to_goal(const Node& node) const;
   [[nodiscard]] std::int64_t key_of(const Point& corner) const noexcept;
   void push(Node node);
   void cross(const Node& node, const Point& root, double cost, double left, double right);
