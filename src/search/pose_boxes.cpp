@@ -12,6 +12,7 @@
 #include "search/closed_areas.h"
 #include "search/geodesic.h"
 #include "steering/dubins_bound.h"
+#include "steering/words.h"
 #include "vandplan/steering.h"
 
 namespace vandplan::search {
@@ -21,7 +22,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double slack = 1e-5;        // Slack of lengths [m]; larger than the judge's and rounding.
 constexpr double angle_slack = 2e-6;  // Slack of headings [rad]; larger than the judge's.
 constexpr double end_slack = 2e-6;    // Slack of a path's ends [m]; larger than the judge's.
-constexpr double curvature_slack = 1e-9;  // Relative slack of the curvature, as the judge allows.
 // Headings for a reach of the body as long as a cell's side.
 constexpr double headings_of_cell = 4.0;
 constexpr double max_headings = 4096.0;
@@ -191,9 +191,10 @@ double PoseBoxes::length_in_gear(const Pose& end, const Pose& middle, bool is_st
     return is_turned ? Pose{p.x, p.y, p.heading + std::numbers::pi} : p;
   };
   const double apart = std::hypot(middle.x - end.x, middle.y - end.y) + shift_;
-  const steering::Closing off{shift_ + slack + (angle_slack + curvature_slack) * apart, half_turn_};
+  const steering::Closing off{shift_ + slack + (angle_slack + steering::judged_curvature) * apart,
+                              half_turn_};
   return steering::dubins_bound(pose(end), pose(middle), task_.vehicle.min_turning_radius, off) *
-         (1 - curvature_slack);
+         (1 - steering::judged_curvature);
 }
 
 /// Lower bound on a path between an end and a pose of the box, on open ground [m].
@@ -207,7 +208,7 @@ double PoseBoxes::turning_length(const Pose& end, const Pose& middle, bool is_st
   }
   const double length = reeds_shepp_length(end, middle, radius);
   const double slope = std::hypot(length, 2 * radius) / (apart - shift_);
-  return (length - slope * shift_ - turn) * (1 - curvature_slack);
+  return (length - slope * shift_ - turn) * (1 - steering::judged_curvature);
 }
 
 /// Whether the body hits an obstacle at all poses of the box. False outside the bounds, where
@@ -241,16 +242,16 @@ PoseBoxes::Box PoseBoxes::box(Id id) const {
   const Column& column = columns_[id / headings_];
   const Pose middle = middle_of(column, id % headings_);
   return {middle, column.from_start, column.to_goal,
-          std::max(column.from_start.least * (1 + curvature_slack),
+          std::max(column.from_start.least * (1 + steering::judged_curvature),
                    turning_length(task_.start, middle, true)),
-          std::max(column.to_goal.least * (1 + curvature_slack),
+          std::max(column.to_goal.least * (1 + steering::judged_curvature),
                    turning_length(task_.goal, middle, false))};
 }
 
 double PoseBoxes::find_least_length(Id id) const {
   if (!(columns_[id / headings_].in_all <= longest_)) return infinity;
   const Box box = this->box(id);
-  const double length = (box.from_start + box.to_goal) / (1 + curvature_slack);
+  const double length = (box.from_start + box.to_goal) / (1 + steering::judged_curvature);
   return length > longest_ || is_hit(box.middle) || is_astray(box.middle) ? infinity : length;
 }
 

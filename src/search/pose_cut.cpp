@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "search/open_rows.h"
+#include "steering/words.h"
 #include "vandplan/steering.h"
 
 namespace vandplan::search {
@@ -16,9 +17,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double slack = 2e-5;        // Slack of lengths [m]; larger than the judge's and rounding.
 constexpr double angle_slack = 1e-6;  // Slack of headings in float [rad].
 constexpr double float_slack = 1e-6;  // Relative slack of places and lengths in float.
-constexpr double length_slack = 1e-5;     // Relative slack of lengths between poses in float.
-constexpr double curvature_slack = 1e-9;  // Relative slack of the curvature, as the judge allows.
-constexpr double turns_near = 3.0;  // Range of a cut, where it improves bounds [turning radii].
+constexpr double length_slack = 1e-5;  // Relative slack of lengths between poses in float.
+constexpr double turns_near = 3.0;     // Range of a cut, where it improves bounds [turning radii].
 // Least distance of a cut from start and goal [turning radii].
 constexpr double turns_of_end = 1.0;
 constexpr double cells_of_place = 4.0;  // Width of a bin of distances [cells].
@@ -168,7 +168,7 @@ float PoseCut::length_lower_bound(PoseBoxes::Id id, double enough, Index& by) {
   const double own = is_beyond ? box.from_start : box.to_goal;
   const double rest = is_beyond ? box.to_goal : box.from_start;
   const auto in_all = [&](double length) {
-    const double all = (std::max(own, length) + rest) / (1 + curvature_slack);
+    const double all = (std::max(own, length) + rest) / (1 + steering::judged_curvature);
     return std::nextafter(static_cast<float>(all), 0.0F);
   };
   double least = infinity;

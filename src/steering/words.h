@@ -24,6 +24,8 @@ struct Closing {
 /// How far the ends of a path may be from start and goal, as the judge allows. A test compares
 /// these numbers with the judge's.
 inline constexpr Closing judged{1e-6, 1e-6};
+/// How far the curvature of a path may be above the vehicle's, relative, as the judge allows.
+inline constexpr double judged_curvature = 1e-9;
 
 /// How far from the goal the last piece of a path may end. It leaves room for rounding within
 /// `judged`, and is enough for a goal that was rounded to six decimals.

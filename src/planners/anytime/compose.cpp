@@ -32,17 +32,18 @@ namespace {
 constexpr double shortest_stroke = 0.1;
 /// Largest additional cost of a finished drive, relative, where seconds have a price beside others.
 constexpr double slack_of_both = 1e-2;
-/// Streams of random numbers, one for each worker.
-namespace stream {
-constexpr std::uint64_t search_from_goal = 0;
-constexpr std::uint64_t search_from_start = 1;
-constexpr std::uint64_t refine = 3;
-constexpr std::uint64_t detours = 5;
-constexpr std::uint64_t bend = 6;
-constexpr std::uint64_t cheapest_drive = 7;
-constexpr std::uint64_t survey = 7;  // no run has both: another number would change answers
-constexpr std::uint64_t proposals = 8;
-}  // namespace stream
+/// Streams of random numbers, one for each worker. No run has both a survey and a worker for the
+/// cheapest drive. Other numbers would change answers.
+enum Stream : std::uint64_t {
+  of_search_from_goal = 0,
+  of_search_from_start = 1,
+  of_refine = 3,
+  of_detours = 5,
+  of_bend = 6,
+  of_cheapest_drive = 7,
+  of_survey = 7,
+  of_proposals = 8
+};
 
 /// Free routes of one word: the shortest word, which is found sooner, and with prices the cheapest
 /// one, which may be the optimum. The task has no trailer.
@@ -126,7 +127,7 @@ Composer::Composer(const Task& task, const PlanOptions& options, double time_pri
                  .slots = {},
                  .gap = options.budget.target_gap,
                  .routes_are_answers = !pricing_->counts_time()} {
-  if (bends_) bend_ = std::make_unique<Bender>(task, rule_, stream_seed(seed(stream::bend), 0));
+  if (bends_) bend_ = std::make_unique<Bender>(task, rule_, stream_seed(seed(of_bend), 0));
   portfolio_.routes = open_ways(task, rule_);  // [1]
   if (given.known != nullptr) {
     take_known(*given.known);
@@ -236,8 +237,8 @@ void Composer::add_length_prover() {
 
 // [5b] Adds the detours, which have rounds of their own.
 void Composer::add_detours() {
-  const std::uint64_t own_seed = stream_seed(seed(stream::detours), 0);
-  auto worker = seeker(task_, stream::detours, [&task = task_, &rule = rule_, own_seed] {
+  const std::uint64_t own_seed = stream_seed(seed(of_detours), 0);
+  auto worker = seeker(task_, of_detours, [&task = task_, &rule = rule_, own_seed] {
     return std::make_unique<Detours>(task, rule, own_seed);
   });
   add("detours", std::move(worker), [](const Progress& now) {
@@ -248,7 +249,7 @@ void Composer::add_detours() {
 // [5c] Adds the survey. With continuous curvature it plans the relaxed task.
 void Composer::add_survey() {
   const Task& task = has_relaxed() ? *portfolio_.relaxed : task_;
-  auto worker = seeker(task, stream::survey,
+  auto worker = seeker(task, of_survey,
                        [&task, &rule = rule_] { return std::make_unique<Survey>(task, rule); });
   const auto source = [&worker = *worker] { return static_cast<const Survey*>(worker.source()); };
   Share share = [source, has_relaxed = has_relaxed()](const Progress& now) -> std::int64_t {
@@ -294,18 +295,18 @@ void Composer::add_cheapest_drive() {
   const auto cost = [&pricing = *pricing_](const Route& route) { return pricing.cost(route); };
   // The clearance of bent drives has no price.
   const Bender::Measure cost_of_bent = pricing_->is_time() ? pricing_->measure() : nullptr;
-  Slot& slot = add("cheapest drive",
-                   std::make_unique<CheapestDrive>(task_, rule_, seed(stream::cheapest_drive), cost,
-                                                   cost_of_bent),
-                   [](const Progress& now) {
-                     return growing_share(shares::cheapest_drive, now.rounds_with_route);
-                   });
+  Slot& slot = add(
+      "cheapest drive",
+      std::make_unique<CheapestDrive>(task_, rule_, seed(of_cheapest_drive), cost, cost_of_bent),
+      [](const Progress& now) {
+        return growing_share(shares::cheapest_drive, now.rounds_with_route);
+      });
   slot.phase = Phase::after;
 }
 
 // Adds a worker that shortens routes along the paths of a caller's source.
 void Composer::add_proposals(const NamedSource& source, std::uint64_t number) {
-  const std::uint64_t own_seed = stream_seed(seed(stream::proposals), number);
+  const std::uint64_t own_seed = stream_seed(seed(of_proposals), number);
   auto make = [&task = task_, &rule = rule_, options = options_, &source, own_seed] {
     return std::make_unique<Proposals>(task, rule, source.make(task, options), own_seed);
   };
@@ -330,13 +331,10 @@ Portfolio Composer::portfolio() && {
     relaxed->steering = Steering::reeds_shepp;
     portfolio_.relaxed = std::move(relaxed);
   }
-  add_search("search from the goal", stream::search_from_goal, Root::goal,
-             shares::search_from_goal);
-  add_search("search from the start", stream::search_from_start, Root::start,
-             shares::search_from_start);
+  add_search("search from the goal", of_search_from_goal, Root::goal, shares::search_from_goal);
+  add_search("search from the start", of_search_from_start, Root::start, shares::search_from_start);
   if (is_far_ || rule_.is_length()) {
-    add("refine", std::make_unique<Refiner>(task_, rule_, seed(stream::refine)),
-        share(shares::refine));
+    add("refine", std::make_unique<Refiner>(task_, rule_, seed(of_refine)), share(shares::refine));
   }
   add_length_prover();
   if (is_far_) add_detours();

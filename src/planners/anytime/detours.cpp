@@ -12,7 +12,8 @@ namespace vandplan::anytime {
 namespace {
 
 constexpr double least_stretch = 2.0;  // least length of a stretch [turning radii]
-constexpr double detour_slack = 1.1;   // a found way may cost so many times the stretch
+/// Ways that are found, and those on the grid, may cost so many times the stretch.
+constexpr double detour_slack = 1.1;
 /// Searches, one of which is chosen at random.
 constexpr std::array<LatticeOptions, 4> detour_searches = {
     LatticeOptions{24, 0.25, 1.5}, LatticeOptions{24, 0.25, 1.2}, LatticeOptions{36, 0.17, 1.2},
@@ -20,9 +21,8 @@ constexpr std::array<LatticeOptions, 4> detour_searches = {
 constexpr std::int64_t least_expansions = 256;  // expansions of the smallest search
 constexpr std::uint64_t doublings = 4;          // number of sizes of a search, each twice as large
 constexpr double max_stretch = 60.0;            // largest length of a stretch [turning radii]
-constexpr double grid_slack = 1.1;  // ways on the grid may be so many times as long as paths
-constexpr int max_trials = 600;     // most trials to shorten a way
-constexpr double least_gain_of_detour = 1e-3;  // least gain of a detour [turning radii]
+constexpr int max_trials = 600;                 // most trials to shorten a way
+constexpr double least_gain_of_detour = 1e-3;   // least gain of a detour [turning radii]
 
 // Box around the ellipse with foci `a` and `b` that paths of at most `length` between them do not
 // leave.
@@ -133,7 +133,7 @@ void Detours::put_in_place(const Route& way) {
 // is none.
 bool Detours::is_hopeless() const {
   const LocalPose& root = backwards_ ? old_.legs.back().end : old_.start;
-  return !guide_->is_connected() || guide_->at(root.x, root.y) > grid_slack * old_.cost;
+  return !guide_->is_connected() || guide_->at(root.x, root.y) > detour_slack * old_.cost;
 }
 
 // One trial to shorten the found way. A way that is cheaper than the stretch takes the place of the

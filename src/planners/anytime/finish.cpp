@@ -20,8 +20,6 @@ namespace vandplan::anytime {
 namespace {
 
 constexpr int trials_for_fewer_changes = 1000;  // trials of `with_fewer_changes`
-/// Most relative cost of leaving out crumbs: 1 cm of 100 m, less than any search leaves.
-constexpr double tidy_slack = 1e-4;
 constexpr std::size_t reach_of_arcs = 3;  // segments on either side that make up for one left out
 constexpr std::size_t reach_of_clothoids = 7;  // wider reach where clothoids lie between
 
@@ -123,7 +121,7 @@ std::size_t Tidier::end_of_crumbs(std::size_t first) const {
 
 // Leaves out crumbs, the shortest first, until none can go.
 void Tidier::drop_crumbs() {
-  const double limit = (1 + tidy_slack) * cost(segments_);
+  const double limit = (1 + commands::crumb_slack) * cost(segments_);
   bool dropped = true;
   while (dropped) {
     std::vector<std::size_t> crumbs;

@@ -13,11 +13,7 @@
 namespace vandplan::anytime {
 namespace {
 
-using steering::Closing;
-
-/// Slack of the curvature, relative, as the judge allows. A path scaled up by it keeps to the
-/// turning radius, and ends farther away by the same share.
-constexpr double curvature_slack = 1e-9;
+using steering::Closing, steering::judged_curvature;
 
 double distance(const Pose& from, const Pose& to) {
   return std::hypot(to.x - from.x, to.y - from.y);
@@ -33,24 +29,25 @@ double longest_between(const Closing& off, double radius) {
 Closing seen_from_first(const End& first, const End& last) {
   const double both = first.off.position + last.off.position;
   const double apart = distance(first.pose, last.pose) + both;
-  return {both + (first.off.heading + curvature_slack) * apart,
+  return {both + (first.off.heading + judged_curvature) * apart,
           first.off.heading + last.off.heading};
 }
 
 }  // namespace
 
 // The Reeds-Shepp length is a distance. So moving an end changes it by at most the length of the
-// move.
+// move. A path scaled up by `judged_curvature` keeps to the turning radius, and ends farther away
+// by the same share.
 OpenGround open_ground(const End& first, const End& last, double radius) {
   const double shortest = reeds_shepp_length(first.pose, last.pose, radius);
   const auto turned = [](const Pose& p) { return Pose{p.x, p.y, p.heading + std::numbers::pi}; };
-  const Closing scaled{last.off.position + curvature_slack * distance(first.pose, last.pose),
+  const Closing scaled{last.off.position + judged_curvature * distance(first.pose, last.pose),
                        last.off.heading};
   const double leeway = longest_between(first.off, radius) + longest_between(scaled, radius);
   const Closing off = seen_from_first(first, last);
   const double forward = steering::dubins_bound(first.pose, last.pose, radius, off);
   const double reverse = steering::dubins_bound(turned(first.pose), turned(last.pose), radius, off);
-  const double slack = 1 + curvature_slack;
+  const double slack = 1 + judged_curvature;
   return {forward / slack, reverse / slack, std::max(shortest - leeway, 0.0) / slack, leeway};
 }
 

@@ -15,9 +15,7 @@ namespace {
 constexpr double progress = 1e-3;                    // relative gain that counts as progress
 constexpr int patience = 600;                        // trials without progress that stall a drive
 constexpr std::size_t most_segments_of_window = 10;  // commands of a random window
-constexpr std::size_t reach = 3;  // commands on either side that make up for one left out
-/// Largest relative cost of leaving crumbs out: 1 cm of 100 m, less than any search leaves.
-constexpr double crumb_slack = 1e-4;
+constexpr std::size_t reach = 3;           // commands on either side that make up for one left out
 constexpr double rounding = 1e-12;         // relative gain that is rounding
 constexpr double swept_gain = 0.01;        // least relative gain of a command left out by a sweep
 constexpr std::size_t reach_of_sweep = 2;  // commands on either side that a sweep changes
