@@ -14,7 +14,6 @@
 #include "planners/reasons.h"
 #include "vandplan/input_error.h"
 #include "vandplan/search.h"
-#include "vandplan/steering.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan {
@@ -34,10 +33,7 @@ std::optional<PlannerAnswer> settled(const Task& task) {
     return answer;
   }
   if (!task.moving.empty()) return std::nullopt;  // an obstacle may come by
-  if (!task.via.empty()) return std::nullopt;
-  if (task.hitch_angles.start != task.hitch_angles.goal) return std::nullopt;
-  const double radius = task.vehicle.min_turning_radius;
-  if (reeds_shepp_length(task.start, task.goal, radius) > 0.0) return std::nullopt;
+  if (!planning::is_there(task)) return std::nullopt;
   answer.status = PlanStatus::solved;
   answer.segments.emplace();
   answer.anytime.push_back({});

@@ -120,6 +120,18 @@ TEST(OneFrame, StatedPosesAreInTheScenariosFrame) {
             "the stated poses[5] is not on the path");
 }
 
+// Wheels that turn only while the vehicle rolls need a path from a pose back to it.
+TEST(Plan, DrivesWhereStartAndGoalDifferInTheirWheelsAlone) {
+  Scenario scenario;
+  scenario.bounds = {-50, 50, -50, 50};
+  scenario.curvatures = {0.05, -0.05};
+  PlanOptions options = plan_iterations(3000);
+  options.steering = Steering::continuous;
+  const PlanResult result = plan(make_problem(scenario), options);
+  ASSERT_TRUE(result.path) << result.reason;
+  EXPECT_GT(length(*result.path), 0.0);
+}
+
 TEST(Plan, AScenarioIsPlannedLikeItsProblem) {
   const PlanResult result = plan(yard(), plan_iterations(800));
   ASSERT_TRUE(result.path);
