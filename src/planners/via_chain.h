@@ -4,9 +4,9 @@
 // At which poses does a path pass its vias, and what joins them?
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -51,7 +51,7 @@ class ViaNodes {
   [[nodiscard]] std::optional<ViaNode> added(std::size_t via, const LocalState& state,
                                              search::GearSign gear, double curvature);
   /// Gives up the leg that leads to node `to` of a via from node `from` of the via before.
-  void give_up(std::size_t via, std::size_t from, std::size_t to) { lost_[{via, from, to}] = true; }
+  void give_up(std::size_t via, std::size_t from, std::size_t to) { lost_.insert({via, from, to}); }
 
   /// Free nodes beside `chain[via]`: by `share` of the intervals of its region, in the other gear,
   /// and with other curvatures.
@@ -77,7 +77,7 @@ class ViaNodes {
   std::vector<Task> tasks_;  // of each via: a task with the via as its set of goals
   std::vector<std::vector<ViaNode>> nodes_;
   std::vector<std::size_t> looked_at_;
-  std::map<LegKey, bool> lost_;
+  std::set<LegKey> lost_;  // legs that were given up
 };
 
 }  // namespace vandplan::planning
