@@ -64,10 +64,11 @@ std::optional<std::vector<Segment>> followed(const Problem& problem,
                        work, 1);
   const search::Budget budget({});
   for (std::int64_t done = 0; done < 2 * work;) {
-    done += source.work(2 * work - done, budget);
-    if (const auto found = source.take_found()) {
+    const anytime::Found found = source.work(2 * work - done, budget);
+    done += found.iterations;
+    if (found.drive) {
       return commands::Wheels(problem.vehicle(), problem.task().steering)
-          .driven(found->commands, {});
+          .driven(found.drive->commands, {});
     }
   }
   return std::nullopt;

@@ -30,15 +30,12 @@ Bender::Bender(const Task& task, const CostRule& rule, std::uint64_t seed, Measu
 void Bender::offer(const Route& route) {
   has_begun_ = true;
   if (!kinds_.is_new(route, task_.vehicle.min_turning_radius)) return;
-  wait({.commands = {}, .segments = path_of(route).segments, .route = {}, .cost = route.cost});
+  wait({.segments = path_of(route).segments, .cost = route.cost});
 }
 
 void Bender::offer_path(std::vector<Segment> segments) {
   has_begun_ = true;
-  wait({.commands = {},
-        .segments = std::move(segments),
-        .route = {},
-        .cost = std::numeric_limits<double>::infinity()});
+  wait({.segments = std::move(segments), .cost = std::numeric_limits<double>::infinity()});
 }
 
 std::optional<Drive> Bender::begin_with(const Path& known) {

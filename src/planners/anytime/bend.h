@@ -57,7 +57,7 @@ class Bender final : public Worker {
 
   /// The cheapest drive so far. Requires that `step` was true once.
   [[nodiscard]] Drive best() const {
-    return {.commands = best_->commands(), .segments = {}, .route = {}, .cost = best_->cost()};
+    return {.commands = best_->commands(), .cost = best_->cost()};
   }
   [[nodiscard]] double cost() const { return best_->cost(); }
   [[nodiscard]] std::vector<Segment> segments() const { return best_->segments(); }

@@ -133,7 +133,7 @@ Found CheapestDrive::work(std::int64_t iterations, const Told& told, const Budge
     if (!step()) continue;
     found.improvements.push_back({budget.elapsed(), found.iterations, cost()});
   }
-  found.drive = {.commands = {}, .segments = segments(), .route = route_, .cost = cost()};
+  found.drive = {.segments = segments(), .route = route_, .cost = cost()};
   return found;
 }
 

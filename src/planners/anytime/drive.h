@@ -15,12 +15,12 @@ namespace vandplan::anytime {
 /// Drive from the start to the goal.
 struct Drive {
   /// Commands of the wheels; empty if the segments follow a route.
-  std::vector<commands::Command> commands;
+  std::vector<commands::Command> commands = {};
   /// Segments that are driven; empty if only the commands are known.
-  std::vector<Segment> segments;
-  std::optional<search::Route> route;  ///< route that `segments` follow, if it is known
-  double cost = 0.0;                   ///< price of the drive [m], or its time [s]
-  std::size_t wheels = 0;              ///< which wheels obey `commands`; 0: those of the task
+  std::vector<Segment> segments = {};
+  std::optional<search::Route> route = {};  ///< route that `segments` follow, if it is known
+  double cost = 0.0;                        ///< price of the drive [m], or its time [s]
+  std::size_t wheels = 0;                   ///< which wheels obey `commands`; 0: those of the task
 };
 
 }  // namespace vandplan::anytime

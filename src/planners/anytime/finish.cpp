@@ -184,14 +184,14 @@ std::optional<Drive> Finisher::drivable(const Drive& best, const std::vector<Seg
   if (rules_.is_finished) {
     if (rules_.stroke == 0.0) return std::nullopt;
     const double cost = best.cost - planning::price_of_lack(raw, rules_.stroke);
-    return Drive{.commands = {}, .segments = raw, .route = {}, .cost = cost};
+    return Drive{.segments = raw, .cost = cost};
   }
   const bool is_bent = !best.commands.empty();
   const double stroke = rules_.stroke;
   const CostRule& rule = pricing_.rule();
   if (stroke == 0.0 && !is_bent && !has_prices()) return std::nullopt;
   Connector connector(task_, rule);
-  Drive drivable{.commands = {}, .segments = raw, .route = {}, .cost = 0.0};
+  Drive drivable{.segments = raw};
   if (stroke > 0.0) {
     const bool is_along = best.route && path_of(*best.route).segments == raw;
     const Route legs = is_along ? *best.route : legs_along({task_.start, raw}, task_.goal);

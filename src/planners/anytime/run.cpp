@@ -67,8 +67,7 @@ Drive Run::best() const {
   if (drive_ && (!route_ || !portfolio_.routes_are_answers || drive_->cost < route_->cost)) {
     return *drive_;
   }
-  return {
-      .commands = {}, .segments = path_of(*route_).segments, .route = route_, .cost = route_->cost};
+  return {.segments = path_of(*route_).segments, .route = route_, .cost = route_->cost};
 }
 
 // Cost of the best answer before tidying.

@@ -26,10 +26,10 @@ struct Found {
   std::int64_t iterations = 0;
   /// Improvements of the best cost that the worker knows. Iterations count from the begin of the
   /// round.
-  std::vector<CostSample> improvements;
-  std::optional<search::Route> route;   ///< route of the last improvement
-  std::optional<Drive> drive;           ///< drive of the last improvement
-  std::vector<search::Route> given_up;  ///< routes that other workers may make more of
+  std::vector<CostSample> improvements = {};
+  std::optional<search::Route> route = {};   ///< route of the last improvement
+  std::optional<Drive> drive = {};           ///< drive of the last improvement
+  std::vector<search::Route> given_up = {};  ///< routes that other workers may make more of
 };
 
 /// What a worker is told at the beginning of a round.

@@ -276,33 +276,34 @@ std::int64_t BehindTractor::plan(std::int64_t most) {
   return steps;
 }
 
-void BehindTractor::follow() {
-  if (--work_left_ > 0 && follower_->step()) return;
+// Goes on following. The commands of the exact drive when that ends with one.
+std::optional<anytime::Drive> BehindTractor::follow() {
+  if (--work_left_ > 0 && follower_->step()) return std::nullopt;
   const std::optional<std::vector<Segment>> drive = follower_->drive();
   counts_.checks += follower_->checks();
   follower_.reset();
-  if (!drive) return;
+  if (!drive) return std::nullopt;
   auto commands = commands::exact_commands(setting_->task, *drive);
-  if (commands) found_ = Chain{*std::move(commands), 0};
+  if (!commands) return std::nullopt;
+  return anytime::Drive{.commands = *std::move(commands)};
 }
 
-std::int64_t BehindTractor::work(std::int64_t most, const Budget& budget) {
-  std::int64_t steps = 0;
-  while (steps < most && !found_ && (steps == 0 || !budget.is_interrupted())) {
+anytime::Found BehindTractor::work(std::int64_t most, const Budget& budget) {
+  anytime::Found found;
+  std::int64_t& steps = found.iterations;
+  while (steps < most && !found.drive && (steps == 0 || !budget.is_interrupted())) {
     if (path_) {
       steps += plan(most - steps);
       continue;
     }
     if (follower_) {
-      follow();
+      found.drive = follow();
     } else if (!follow_table()) {
       begin(budget);
     }
     ++steps;
   }
-  return steps;
+  return found;
 }
-
-std::optional<Chain> BehindTractor::take_found() { return std::exchange(found_, std::nullopt); }
 
 }  // namespace vandplan::rig

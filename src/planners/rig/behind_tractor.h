@@ -30,8 +30,7 @@ class BehindTractor final : public ChainSource {
   ~BehindTractor() override;
   BehindTractor(const BehindTractor&) = delete;
 
-  std::int64_t work(std::int64_t most, const search::Budget& budget) override;
-  [[nodiscard]] std::optional<Chain> take_found() override;
+  [[nodiscard]] anytime::Found work(std::int64_t most, const search::Budget& budget) override;
   [[nodiscard]] anytime::Counts counts() const override { return counts_; }
 
  private:
@@ -39,7 +38,7 @@ class BehindTractor final : public ChainSource {
   bool follow_table();
   void follow_way(std::span<const Segment> way);
   std::int64_t plan(std::int64_t most);
-  void follow();
+  [[nodiscard]] std::optional<anytime::Drive> follow();
 
   std::shared_ptr<const Setting> setting_;
   std::int64_t most_work_;
@@ -51,7 +50,6 @@ class BehindTractor final : public ChainSource {
   PlanOptions options_;                         // options of the path at hand
   std::unique_ptr<planning::PathSearch> path_;  // plans the path; null while none is planned
   std::unique_ptr<Follower> follower_;          // follows the path; null while none is followed
-  std::optional<Chain> found_;
   anytime::Counts counts_;
 };
 

@@ -4,7 +4,6 @@
 // Where do drives of a rig come from that nobody has shortened yet?
 
 #include <cstdint>
-#include <optional>
 
 #include "planners/anytime/worker.h"
 #include "planners/rig/setting.h"
@@ -17,10 +16,9 @@ class ChainSource {
   virtual ~ChainSource() = default;
 
   /// Does at most `most` steps, fewer if a drive was found or the budget was interrupted. A step
-  /// takes some ten microseconds. Gives back the number of steps, at least 1.
-  virtual std::int64_t work(std::int64_t most, const search::Budget& budget) = 0;
-  /// The drive that was found since the last call; none if none was found.
-  [[nodiscard]] virtual std::optional<Chain> take_found() = 0;
+  /// takes some ten microseconds. Gives back the number of steps, at least 1, and the commands of
+  /// the drive that was found.
+  [[nodiscard]] virtual anytime::Found work(std::int64_t most, const search::Budget& budget) = 0;
   /// Whether another step may find anything.
   [[nodiscard]] virtual bool has_work() const { return true; }
 

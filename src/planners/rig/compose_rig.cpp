@@ -77,7 +77,7 @@ bool is_far(const Task& task) {
 std::optional<anytime::Drive> drive_along(const Setting& setting, const Path& known) {
   auto commands = commands::exact_commands(setting.task, known.segments);
   if (!commands) return std::nullopt;
-  return Improver(setting, {*std::move(commands), 0}, 0).drive();
+  return Improver(setting, {.commands = *std::move(commands)}, 0).drive();
 }
 
 /// Proves that neither the vehicle nor its trailer gets through.

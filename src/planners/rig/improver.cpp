@@ -16,9 +16,9 @@ constexpr double hope = 6.0;
 
 }  // namespace
 
-Improver::Improver(const Setting& setting, Chain chain, std::uint64_t seed)
-    : setting_(setting), seed_(seed), wheels_(chain.wheels) {
-  drive_.emplace(setting.wheels[wheels_], setting.pricing.rule(), chain.commands,
+Improver::Improver(const Setting& setting, const anytime::Drive& drive, std::uint64_t seed)
+    : setting_(setting), seed_(seed), wheels_(drive.wheels) {
+  drive_.emplace(setting.wheels[wheels_], setting.pricing.rule(), drive.commands,
                  stream_seed(seed_, wheels_), setting.pricing.measure());
   before_ = drive_->cost();
 }
@@ -47,7 +47,6 @@ bool Improver::soften() {
 anytime::Drive Improver::drive() const {
   return {.commands = drive_->commands(),
           .segments = drive_->segments(),
-          .route = {},
           .cost = drive_->cost(),
           .wheels = wheels_};
 }

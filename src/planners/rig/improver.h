@@ -16,7 +16,7 @@ namespace vandplan::rig {
 class Improver {
  public:
   /// The setting outlives the object.
-  Improver(const Setting& setting, Chain chain, std::uint64_t seed);
+  Improver(const Setting& setting, const anytime::Drive& drive, std::uint64_t seed);
 
   /// [4] One trial. False when nothing is left to do: trials hardly gain any more, or the drive is
   /// so much dearer than `best` that it will not become the best.

@@ -18,16 +18,15 @@ Proposed::Proposed(std::shared_ptr<const Setting> setting, std::unique_ptr<PathS
   if (!paths_) throw InputError("sources", "expected a source of paths, nothing was made");
 }
 
-std::int64_t Proposed::work(std::int64_t /*most*/, const search::Budget& /*budget*/) {
+anytime::Found Proposed::work(std::int64_t /*most*/, const search::Budget& /*budget*/) {
+  anytime::Found found{.iterations = 1};
   const std::optional<LocalPath> proposed = paths_->propose();
-  if (!proposed) return 1;
+  if (!proposed) return found;
   path::check_finite({proposed->start, proposed->segments});
   auto commands = commands::exact_commands(setting_->task, proposed->segments);
-  if (commands) found_ = Chain{*std::move(commands), 0};
-  return 1;
+  if (commands) found.drive = {.commands = *std::move(commands)};
+  return found;
 }
-
-std::optional<Chain> Proposed::take_found() { return std::exchange(found_, std::nullopt); }
 
 void Proposed::hear(const anytime::Drive& best) {
   if (best.cost >= told_cost_) return;

@@ -4,7 +4,6 @@
 // Which drives of a rig follow the paths that a source of the caller proposes?
 
 #include <memory>
-#include <optional>
 
 #include "planners/rig/chain_source.h"
 #include "vandplan/planner.h"
@@ -17,8 +16,7 @@ class Proposed final : public ChainSource {
   /// `paths` must not be null.
   Proposed(std::shared_ptr<const Setting> setting, std::unique_ptr<PathSource> paths);
 
-  std::int64_t work(std::int64_t most, const search::Budget& budget) override;
-  [[nodiscard]] std::optional<Chain> take_found() override;
+  [[nodiscard]] anytime::Found work(std::int64_t most, const search::Budget& budget) override;
   [[nodiscard]] bool has_work() const override { return paths_->has_work(); }
   void hear(const anytime::Drive& best) override;
   [[nodiscard]] anytime::Counts counts() const override { return {}; }
@@ -27,7 +25,6 @@ class Proposed final : public ChainSource {
   std::shared_ptr<const Setting> setting_;
   std::unique_ptr<PathSource> paths_;
   double told_cost_;  // cost of the best drive that the source was told
-  std::optional<Chain> found_;
 };
 
 }  // namespace vandplan::rig

@@ -22,10 +22,6 @@ void ChainSeeker::listen(const Told& told) {
   source_->hear(*told.drive);
 }
 
-void ChainSeeker::take(Chain chain) {
-  improver_.emplace(*setting_, std::move(chain), stream_seed(seed_, taken_++));
-}
-
 void ChainSeeker::drop() {
   if (improver_) checks_ += improver_->checks();
   improver_.reset();
@@ -44,10 +40,10 @@ Found ChainSeeker::work(std::int64_t iterations, const Told& told, const search:
   while (found.iterations < iterations && has_work() && !budget.is_interrupted()) {
     const std::int64_t left = iterations - found.iterations;
     if (!improver_) {
-      found.iterations += source_->work(left, budget);
-      std::optional<Chain> chain = source_->take_found();
-      if (!chain) continue;
-      take(*std::move(chain));
+      const Found first = source_->work(left, budget);
+      found.iterations += first.iterations;
+      if (!first.drive) continue;
+      improver_.emplace(*setting_, *first.drive, stream_seed(seed_, taken_++));
       note();
       continue;
     }
@@ -71,7 +67,7 @@ BestImprover::BestImprover(std::shared_ptr<const Setting> setting, std::uint64_t
 
 void BestImprover::begin(const Drive& best) {
   if (improver_) checks_ += improver_->checks();
-  improver_.emplace(*setting_, Chain{best.commands, best.wheels}, stream_seed(seed_, begun_++));
+  improver_.emplace(*setting_, best, stream_seed(seed_, begun_++));
 }
 
 Found BestImprover::work(std::int64_t iterations, const Told& told, const search::Budget& budget) {

@@ -29,7 +29,6 @@ class ChainSeeker final : public anytime::Worker {
 
  private:
   void listen(const anytime::Told& told);
-  void take(Chain chain);
   void drop();
 
   std::shared_ptr<const Setting> setting_;

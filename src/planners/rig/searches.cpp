@@ -89,9 +89,10 @@ void Searches::end(Line& line) {
 }
 
 // [2] Expands states, line by line.
-std::int64_t Searches::work(std::int64_t most, const search::Budget& budget) {
-  std::int64_t steps = 0;
-  while (steps < most && !found_ && (steps == 0 || !budget.is_interrupted())) {
+anytime::Found Searches::work(std::int64_t most, const search::Budget& budget) {
+  anytime::Found found;
+  std::int64_t& steps = found.iterations;
+  while (steps < most && !found.drive && (steps == 0 || !budget.is_interrupted())) {
     Line& line = lines_[turn_];
     if (!line.search) begin(line);
     const bool goes_on = line.search->step();
@@ -100,16 +101,14 @@ std::int64_t Searches::work(std::int64_t most, const search::Budget& budget) {
     if (!goes_on || commands) end(line);
     if (commands) {
       has_found_ = true;
-      found_ = Chain{*std::move(commands), line.task};
+      found.drive = {.commands = *std::move(commands), .wheels = line.task};
     }
     if (++done_ < line.kind.share) continue;
     done_ = 0;
     turn_ = (turn_ + 1) % lines_.size();
   }
-  return steps;
+  return found;
 }
-
-std::optional<Chain> Searches::take_found() { return std::exchange(found_, std::nullopt); }
 
 void Searches::hear(const anytime::Drive& best) {
   cutoff_ = best.cost;
@@ -143,39 +142,42 @@ void BareSearches::begin(std::span<const Command> commands) {
   widened_.emplace(*setting_->bare, rule_, commands, stream_seed(seed_, begun_++));
 }
 
-// [2] Moves the drive away from obstacles by one trial.
-void BareSearches::widen() {
+// [2] Moves the drive away from obstacles by one trial. The commands when it keeps the margin.
+std::optional<anytime::Drive> BareSearches::widen() {
+  std::optional<anytime::Drive> found;
   if (widened_->step()) {
     std::optional<std::vector<Command>> commands =
         commands::obeyed(setting_->task, widened_->commands());
-    if (commands) found_ = Chain{*std::move(commands), 0};
+    if (commands) found = {.commands = *std::move(commands)};
   }
-  if (!found_ && !widened_->is_stalled()) return;
-  if (!found_ && (roomiest_.empty() || widened_->cost() < lack_)) {
+  if (!found && !widened_->is_stalled()) return found;
+  if (!found && (roomiest_.empty() || widened_->cost() < lack_)) {
     roomiest_ = widened_->commands();
     lack_ = widened_->cost();
   }
   checks_ += widened_->checks();
   widened_.reset();
   searched_ = 0;
+  return found;
 }
 
-std::int64_t BareSearches::work(std::int64_t most, const search::Budget& budget) {
+anytime::Found BareSearches::work(std::int64_t most, const search::Budget& budget) {
   if (!widened_ && !roomiest_.empty() && searched_ >= expansions_until_another_try) {
     begin(roomiest_);
   }
   if (!widened_) {
-    const std::int64_t steps = searches_.work(most, budget);
-    searched_ += steps;
-    if (const std::optional<Chain> chain = searches_.take_found()) begin(chain->commands);
-    return steps;
+    const anytime::Found bare = searches_.work(most, budget);
+    searched_ += bare.iterations;
+    if (bare.drive) begin(bare.drive->commands);
+    return {.iterations = bare.iterations};
   }
-  std::int64_t steps = 0;
-  for (; steps < most && widened_ && (steps == 0 || !budget.is_interrupted()); ++steps) widen();
-  return steps;
+  anytime::Found found;
+  std::int64_t& steps = found.iterations;
+  for (; steps < most && widened_ && (steps == 0 || !budget.is_interrupted()); ++steps) {
+    found.drive = widen();
+  }
+  return found;
 }
-
-std::optional<Chain> BareSearches::take_found() { return std::exchange(found_, std::nullopt); }
 
 anytime::Counts BareSearches::counts() const {
   anytime::Counts counts = searches_.counts();

@@ -37,8 +37,7 @@ class Searches final : public ChainSource {
   Searches(std::shared_ptr<const Setting> setting, std::span<const Kind> kinds,
            std::vector<const Task*> tasks);
 
-  std::int64_t work(std::int64_t most, const search::Budget& budget) override;
-  [[nodiscard]] std::optional<Chain> take_found() override;
+  [[nodiscard]] anytime::Found work(std::int64_t most, const search::Budget& budget) override;
   void hear(const anytime::Drive& best) override;
   [[nodiscard]] anytime::Counts counts() const override;
 
@@ -64,7 +63,6 @@ class Searches final : public ChainSource {
   std::int64_t done_ = 0;   // expansions in this turn
   bool has_found_ = false;  // whether one of the lines has found a drive
   double cutoff_ = std::numeric_limits<double>::infinity();
-  std::optional<Chain> found_;
   anytime::Counts former_;  // counts of searches that have ended
 };
 
@@ -75,15 +73,14 @@ class BareSearches final : public ChainSource {
   /// The setting has a margin.
   BareSearches(std::shared_ptr<const Setting> setting, std::uint64_t seed);
 
-  std::int64_t work(std::int64_t most, const search::Budget& budget) override;
-  [[nodiscard]] std::optional<Chain> take_found() override;
+  [[nodiscard]] anytime::Found work(std::int64_t most, const search::Budget& budget) override;
   void hear(const anytime::Drive&) override { has_drive_ = true; }
   [[nodiscard]] bool has_work() const override { return !has_drive_; }
   [[nodiscard]] anytime::Counts counts() const override;
 
  private:
   void begin(std::span<const Command> commands);
-  void widen();
+  [[nodiscard]] std::optional<anytime::Drive> widen();
 
   std::shared_ptr<const Setting> setting_;
   Searches searches_;
@@ -94,7 +91,6 @@ class BareSearches final : public ChainSource {
   std::vector<Command> roomiest_;                    // drive that came nearest to the margin
   double lack_ = 0.0;                                // cost of `roomiest_`
   std::int64_t searched_ = 0;                        // expansions since a drive was moved last
-  std::optional<Chain> found_;
   bool has_drive_ = false;
   std::int64_t checks_ = 0;
 };

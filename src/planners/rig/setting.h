@@ -35,10 +35,4 @@ struct Setting {
   double unit;  ///< unit of the steps of a search [m]
 };
 
-/// A chain of commands from the start to the goal.
-struct Chain {
-  std::vector<commands::Command> commands;
-  std::size_t wheels = 0;  ///< index of the wheels that obey the commands
-};
-
 }  // namespace vandplan::rig
