@@ -23,11 +23,14 @@ std::size_t slot_of(std::uint64_t key, std::size_t size) {
   return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15U) >> 20) & (size - 1);
 }
 
+/// Most locks to either side of straight: each lock is one more cell at every pose.
+constexpr int max_locks = 2;
+
 /// Number of locks to either side that makes a clothoid from lock to lock about one step long.
-int locks_for(const Connector& connector, double step, int most) {
+int locks_for(const Connector& connector, double step) {
   if (connector.continuous() == nullptr) return 1;
   const double clothoid = 1 / (connector.radius() * connector.continuous()->curvature_rate());
-  return static_cast<int>(std::clamp(std::round(clothoid / step), 1.0, static_cast<double>(most)));
+  return static_cast<int>(std::clamp(std::round(clothoid / step), 1.0, 0.0 + max_locks));
 }
 
 }  // namespace
@@ -42,7 +45,7 @@ Lattice::Lattice(const LocalPose& root, const LocalPose& target, const DrivenBes
       cutoff_(std::numeric_limits<double>::infinity()),
       step_length_(2 * std::numbers::pi / options.headings * connector.radius()),
       cell_(options.cell * connector.radius()),
-      locks_(locks_for(connector, step_length_, options.max_locks)),
+      locks_(locks_for(connector, step_length_)),
       closed_(1024, 0) {
   route_.start = root;
   open({root, {beside.before.is_known() ? beside.before.curvature : 0.0, 0.0}, 0.0, -1});
@@ -64,7 +67,7 @@ std::uint64_t Lattice::key_of(const Node& node) const {
   const bool is_continuous = connector_.continuous() != nullptr;
   if (connector_.rule().curvature_change_cost == 0.0 && !is_continuous) return key;
   const int lock = lock_of(last_driven(node.segment).curvature);
-  return (key << 5) | static_cast<std::uint64_t>(lock + LatticeOptions::all_locks);
+  return (key << 3) | static_cast<std::uint64_t>(lock + max_locks);
 }
 
 bool Lattice::is_closed(std::uint64_t key) const {

@@ -28,10 +28,6 @@ struct LatticeOptions {
   double greediness = 1.0;  ///< weight of the cost-to-go; >= 1
   /// Cost-to-go beyond which the exact path to the target is tried only rarely [turning radii].
   double far_shot = std::numeric_limits<double>::infinity();
-  /// Largest possible number of locks to either side of straight.
-  static constexpr int all_locks = 8;
-  /// Most locks to either side of straight where the curvature is continuous, 1 to `all_locks`.
-  int max_locks = all_locks;
 };
 
 /// Searches from coarse to fine. Each is twice as fine as the second one before. The first two are

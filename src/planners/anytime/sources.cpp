@@ -15,9 +15,6 @@ namespace {
 
 constexpr std::int64_t max_lattice_nodes = 300'000;  // nodes of one search: some 30 MB
 constexpr std::size_t last_coarse_level = 4;         // number of searches that count as coarse
-/// Most locks to either side where the curvature is continuous: each lock is one more cell at every
-/// pose.
-constexpr int locks = 2;
 constexpr double far_shot = 40.0;  // cost-to-go beyond which exact paths are rare [turning radii]
 /// Searches over a whole site. The way on the grid that guides the first is greedy; the others
 /// follow a shortest one.
@@ -93,7 +90,6 @@ void Ladder::next_search() {
   Connector& connector = minds_prices_ ? by_price_ : by_length_;
   LatticeOptions options = coarse_to_fine[goes_far() && level_ > 0 ? level_ - 1 : level_];
   if (goes_far()) options.far_shot = far_shot;
-  options.max_locks = locks;
   lattice_.emplace(from_, to_, driven_beside_route(connector.rule()), options, *guide_, connector);
   const bool is_new_guide = guide_level_ == level_;
   if (goes_far() && is_new_guide && guide_->is_connected()) {
