@@ -14,7 +14,6 @@ namespace vandplan::anytime {
 namespace {
 
 constexpr std::int64_t max_lattice_nodes = 300'000;  // nodes of one search: some 30 MB
-constexpr std::size_t last_coarse_level = 4;         // number of searches that count as coarse
 constexpr double far_shot = 40.0;  // cost-to-go beyond which exact paths are rare [turning radii]
 /// Searches over a whole site. The way on the grid that guides the first is greedy; the others
 /// follow a shortest one.
@@ -87,10 +86,10 @@ void Ladder::next_search() {
     finished_ = true;
     return;
   }
-  Connector& connector = minds_prices_ ? by_price_ : by_length_;
   LatticeOptions options = coarse_to_fine[goes_far() && level_ > 0 ? level_ - 1 : level_];
   if (goes_far()) options.far_shot = far_shot;
-  lattice_.emplace(from_, to_, driven_beside_route(connector.rule()), options, *guide_, connector);
+  lattice_.emplace(from_, to_, driven_beside_route(by_length_.rule()), options, *guide_,
+                   by_length_);
   const bool is_new_guide = guide_level_ == level_;
   if (goes_far() && is_new_guide && guide_->is_connected()) {
     std::vector<Point> way = guide_->way();
@@ -112,11 +111,6 @@ bool Ladder::step() {
     return false;
   }
   if (takes_turns()) return step_rotation();
-  if (!is_far_ && !rule_.is_length() && is_known() && !minds_prices_) {
-    minds_prices_ = true;
-    lattice_.reset();
-    level_ -= std::min<std::size_t>(level_, 1);
-  }
   if (!lattice_ || is_done_ || lattice_->is_exhausted() || lattice_->size() > max_lattice_nodes) {
     if (needs_next_guide()) {
       next_guide();
@@ -150,11 +144,8 @@ bool Ladder::needs_next_guide() const {
   return level_ == 1 && guide_side_ > fine_guide_side / 2;
 }
 
-// Whether different searches take turns. If only fine searches find a route, there are no other
-// kinds.
-bool Ladder::takes_turns() const {
-  return !is_far_ && !rule_.is_length() && is_known() && (rotation_ || level_ <= last_coarse_level);
-}
+// Whether different searches take turns.
+bool Ladder::takes_turns() const { return !is_far_ && !rule_.is_length() && is_known(); }
 
 bool Ladder::is_known() const { return cutoff_ < std::numeric_limits<double>::infinity(); }
 

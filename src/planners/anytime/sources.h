@@ -20,8 +20,7 @@ namespace vandplan::anytime {
 enum class Root { start, goal };
 
 /// Lattice searches from coarse to fine, all from the same root. With prices they go by length
-/// until a route is known. Afterwards different searches take turns (`Rotation`). If only a fine
-/// search found a route, because a slot is tight, that search is repeated by price instead.
+/// until a route is known. Afterwards different searches take turns (`Rotation`).
 class Ladder final : public Source {
  public:
   /// Task and rule outlive the object. Over a whole site the search sees only a strip.
@@ -71,7 +70,6 @@ class Ladder final : public Source {
   /// Drives along the way of the guide over a whole site; none if that failed.
   std::optional<Strung> strung_;
   std::optional<Lattice> lattice_;  // current search, where `strung_` is none
-  bool minds_prices_ = false;       // whether the current searches go by price
   std::optional<Rotation> rotation_;
 };
 
