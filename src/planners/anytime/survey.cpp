@@ -23,7 +23,6 @@ constexpr double shift = 0.618;  // shift of the cells each time all passes were
 constexpr double excess = 1.1;   // a way may cost so many times the cheapest way of a pass
 /// A way may cost so many times the best route, because ways are crooked.
 constexpr double worth_a_pass = 1.2;
-constexpr int max_routes = 6;                         // routes of one pass
 constexpr std::int64_t max_poses = 200'000;           // poses expanded by the field from the goal
 constexpr std::int64_t max_poses_of_glance = 50'000;  // poses expanded by a glance
 constexpr double max_cells = 1e6;                     // cells of places and headings in one field
@@ -93,7 +92,6 @@ void Survey::begin_pass() {
   from_goal_->look_towards(*guide_);
   has_met_ = false;
   poses_ = 0;
-  routes_ = 0;
 }
 
 // Looks whether a pose of the field from the goal is at the start. The first such way tells what
@@ -214,9 +212,7 @@ bool Survey::lead_through(std::int32_t node) {
   }
   if (!join(head, tail)) return false;
   price(forth_, route_);
-  if (!kinds_.is_new(route_, forth_.radius())) return false;
-  if (++routes_ == max_routes) end();
-  return true;
+  return kinds_.is_new(route_, forth_.radius());
 }
 
 DrivenBeside Survey::driven_around(const Branch& head, std::size_t heads, const Branch& tail,

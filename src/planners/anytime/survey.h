@@ -83,7 +83,6 @@ class Survey final : public Source {
   std::unique_ptr<DriveField> from_goal_, from_start_;
   bool has_met_ = false;                 // whether the field from the goal has reached the start
   std::int64_t poses_ = 0;               // poses expanded by the field from the goal
-  int routes_ = 0;                       // routes found in this pass
   std::vector<bool> covered_;            // bins that routes of this pass lead through
   double bin_ = 1.0;                     // side of a bin [m]
   std::int64_t columns_ = 0, rows_ = 0;  // bins along x and y
