@@ -20,8 +20,7 @@ namespace vandplan::anytime {
 namespace {
 
 constexpr int trials_for_fewer_changes = 1000;  // trials of `with_fewer_changes`
-constexpr std::size_t reach_of_arcs = 3;  // segments on either side that make up for one left out
-constexpr std::size_t reach_of_clothoids = 7;  // wider reach where clothoids lie between
+constexpr std::size_t tidy_reach = 7;  // segments on either side that make up for what is left out
 
 using Segments = std::vector<Segment>;
 
@@ -72,9 +71,8 @@ bool Tidier::is_free(LocalPose from, std::span<const Segment> segments) {
 // Leaves the segments [first, last) out if their neighbours make up for that: the poses on either
 // side stay, the path is free and costs at most `limit`.
 bool Tidier::drop(std::size_t first, std::size_t last, double limit) {
-  std::size_t low = first - std::min(first, is_continuous_ ? reach_of_clothoids : reach_of_arcs);
-  std::size_t high =
-      std::min(segments_.size(), last + (is_continuous_ ? reach_of_clothoids : reach_of_arcs));
+  std::size_t low = first - std::min(first, tidy_reach);
+  std::size_t high = std::min(segments_.size(), last + tidy_reach);
   while (high - last + first - low > steering::most_mended) {
     if (first - low > high - last) {
       ++low;
