@@ -16,7 +16,6 @@ namespace {
 constexpr double sharpnesses[] = {0.5, 0.25, 0.7, 1.0};
 
 constexpr double worth_a_challenge = 1.3;  // a challenger may cost so many times the cheapest route
-constexpr std::size_t max_challengers = 32;
 constexpr std::uint64_t bending_seeds = 1U << 30;  // seeds above those of shortened routes
 
 }  // namespace
@@ -58,9 +57,7 @@ bool CheapestDrive::take(Route route) {
     for (Bender& bender : benders_) bender.offer(route);
   }
   if (route.cost >= cost_) {
-    if (route.cost < worth_a_challenge * cost_ && challengers_.size() < max_challengers) {
-      challengers_.push_back(std::move(route));
-    }
+    if (route.cost < worth_a_challenge * cost_) challengers_.push_back(std::move(route));
     return false;
   }
   cost_ = route.cost;
