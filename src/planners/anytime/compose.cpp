@@ -167,8 +167,8 @@ Share Composer::until_route(const Row& row) const {
 
 // Iterations of a worker in a round with a route.
 std::int64_t Composer::share_with_route(const Row& row) const {
-  if (is_far_) return row.far;
-  return rule_.is_length() ? row.by_length : bends_ ? row.by_prices : row.by_time;
+  if (is_far_ || rule_.is_length()) return row.by_length;
+  return bends_ ? row.by_prices : row.by_time;
 }
 
 Share Composer::with_route(const Row& row) const {

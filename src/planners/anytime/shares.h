@@ -19,7 +19,7 @@ struct Turn {
 /// The iterations of one worker in a round, in each kind of run.
 struct Row {
   Turn until_route;        ///< share while there is no route; cheap workers begin first
-  std::int64_t by_length;  ///< iterations with a route, if the cost is the length
+  std::int64_t by_length;  ///< iterations with a route, if the cost is the length, or over a site
   std::int64_t by_time;    ///< iterations with a route, if time has a price
   std::int64_t by_prices;  ///< iterations with a route, if the path has prices and routes are bent
   /// Share with a route, if `target_gap` is set or the run began with a known path. `first_round`
@@ -27,15 +27,14 @@ struct Row {
   /// first.
   Turn with_gap;
   Turn far_until_route = {};  ///< share over a whole site, while there is no route
-  std::int64_t far = 0;       ///< iterations over a whole site with a route
 };
 
 namespace shares {
 
-inline constexpr Row search_from_goal{{0, 64}, 64, 160, 24, {1, 48}, {0, 64}, 256};
-inline constexpr Row search_from_start{{1, 64}, 64, 160, 24, {6, 48}, {64, 64}, 16};
-inline constexpr Row refine{{}, 256, 0, 0, {0, 48}, {}, 256};
-inline constexpr Row length_prover{{}, 2, 2, 1, {0, 1}, {}, 4};
+inline constexpr Row search_from_goal{{0, 64}, 64, 160, 24, {1, 48}, {0, 64}};
+inline constexpr Row search_from_start{{1, 64}, 64, 160, 24, {6, 48}, {64, 64}};
+inline constexpr Row refine{{}, 256, 0, 0, {0, 48}};
+inline constexpr Row length_prover{{}, 2, 2, 1, {0, 1}};
 inline constexpr Row bend{{}, 24, 0, 96, {0, 24}};
 inline constexpr Row survey{{}, 0, 0, 16, {}};
 
