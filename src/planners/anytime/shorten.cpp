@@ -17,10 +17,9 @@ constexpr double price_of_crumb = 0.4;
 constexpr double guide_leeway = 1.3;  // with a measure a trial may have so many times the price
 constexpr int patience = 200;         // trials in a row without a gain that stall a route
 
-constexpr std::size_t legs_of_window = 16;   // legs in a window
-constexpr int trials_of_window = 320;        // most trials in a window
-constexpr int idle_trials_of_window = 48;    // trials without a gain after which the window moves
-constexpr double progress_of_window = 1e-2;  // gain that counts in a window [turning radii]
+constexpr std::size_t legs_of_window = 16;  // legs in a window
+constexpr int trials_of_window = 320;       // most trials in a window
+constexpr int idle_trials_of_window = 48;   // trials without a gain after which the window moves
 
 /// Number of segments that are too short for a driver.
 double crumbs_of(const Route& route, double radius) {
@@ -41,7 +40,6 @@ Shortener::Shortener(Connector& connector, Route route, std::uint64_t seed,
       beside_(beside.value_or(
           DrivenBeside{connector.rule().initial_gear, connector.rule().final_gear})),
       last_(route_.legs.size()),
-      visit_cost_(route_.cost),
       rng_(seed) {
   if (measure_ || route_.legs.size() <= 2 * legs_of_window) return;
   // The first window is anywhere. Otherwise each shortener that takes a route over would begin with
@@ -85,7 +83,6 @@ void Shortener::next_window() {
   } else {
     last_ += std::min(route_.legs.size() - last_, more);
   }
-  visit_cost_ = route_.cost;
   visit_ = 0;
   idle_visit_ = 0;
   if (is_whole()) route_.cost = cost_of(connector_.rule(), route_);
@@ -272,11 +269,7 @@ bool Shortener::step() {
   idle_ = shorter ? 0 : idle_ + 1;
   if (is_whole()) return shorter;
   ++visit_;
-  ++idle_visit_;
-  if (cost() < visit_cost_ - progress_of_window * connector_.radius()) {
-    visit_cost_ = cost();
-    idle_visit_ = 0;
-  }
+  idle_visit_ = shorter ? 0 : idle_visit_ + 1;
   if (visit_ >= trials_of_window || idle_visit_ >= idle_trials_of_window) move_window();
   return shorter;
 }

@@ -83,7 +83,6 @@ class Shortener {
   /// Trials may change the legs [first_, last_), the window.
   std::size_t first_ = 0, last_;
   bool goes_back_ = false;  // whether windows move from the goal to the start
-  double visit_cost_;       // cost when a trial in this window last gained something
   int visit_ = 0;           // trials in this window
   int idle_visit_ = 0;      // trials in this window since the last gain
   Rng rng_;
