@@ -12,7 +12,6 @@ namespace {
 
 constexpr double guide_trust = 0.9;  // trusted share of the guide's cost-to-go, which is no bound
 constexpr double straight_cells = 1.5;  // length of a straight step [cells], which leaves its cell
-constexpr std::size_t rare_shot = 256;  // expanded poses for one exact path from afar
 /// Expanded poses for one exact path, with continuous curvature and a known route. Exact paths take
 /// half of the time then, and one of a hundred is cheaper.
 constexpr std::size_t continuous_shot = 4;
@@ -163,8 +162,6 @@ bool Lattice::shoot(const Entry& entry) {
   const bool is_dear = connector_.continuous() != nullptr && is_known &&
                        entry.open_ground > always_shot * connector_.radius();
   if (is_dear && closed_count_ % continuous_shot != 0) return false;
-  const bool is_far = entry.open_ground > options_.far_shot * connector_.radius();
-  if (is_far && closed_count_ % rare_shot != 0) return false;
   const std::optional<Connection> shot = connector_.connect(
       node.pose, target_, {node.cost_to_come, cutoff_, {driven_to(node), beside_.after}});
   if (!shot) return false;

@@ -26,8 +26,6 @@ struct LatticeOptions {
   int headings = 24;        ///< heading cells of a full turn; an arc step turns by one of them
   double cell = 0.25;       ///< side of a position cell [turning radii]
   double greediness = 1.0;  ///< weight of the cost-to-go; >= 1
-  /// Cost-to-go beyond which the exact path to the target is tried only rarely [turning radii].
-  double far_shot = std::numeric_limits<double>::infinity();
 };
 
 /// Searches from coarse to fine. Each is twice as fine as the second one before. The first two are

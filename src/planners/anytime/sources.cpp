@@ -14,7 +14,6 @@ namespace vandplan::anytime {
 namespace {
 
 constexpr std::int64_t max_lattice_nodes = 300'000;  // nodes of one search: some 30 MB
-constexpr double far_shot = 40.0;  // cost-to-go beyond which exact paths are rare [turning radii]
 /// Searches over a whole site. The way on the grid that guides the first is greedy; the others
 /// follow a shortest one.
 constexpr std::size_t far_searches = 3;
@@ -87,7 +86,6 @@ void Ladder::next_search() {
     return;
   }
   LatticeOptions options = coarse_to_fine[goes_far() && level_ > 0 ? level_ - 1 : level_];
-  if (goes_far()) options.far_shot = far_shot;
   lattice_.emplace(from_, to_, driven_beside_route(by_length_.rule()), options, *guide_,
                    by_length_);
   const bool is_new_guide = guide_level_ == level_;
