@@ -8,7 +8,6 @@
 // lead from lock to lock, and each lock has cells of its own.
 
 #include <array>
-#include <limits>
 #include <optional>
 #include <queue>
 #include <vector>

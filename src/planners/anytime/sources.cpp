@@ -14,10 +14,8 @@ namespace vandplan::anytime {
 namespace {
 
 constexpr std::int64_t max_lattice_nodes = 300'000;  // nodes of one search: some 30 MB
-/// Searches over a whole site. The way on the grid that guides the first is greedy; the others
-/// follow a shortest one.
-constexpr std::size_t far_searches = 3;
-constexpr double greediness_of_first_way = 1.25;
+/// Greediness of the way on the grid that guides the search over a whole site.
+constexpr double greediness_of_far_way = 1.25;
 constexpr double slack = 1.05;  // a route may cost so many times the best: shortening helps
 
 // The rule without prices of steering and clearance, for a first route: shortening takes care of
@@ -54,12 +52,11 @@ Ladder::Ladder(const Task& task, const CostRule& rule, Root root)
 
 void Ladder::next_guide() {
   lattice_.reset();
-  guide_level_ = level_;
   if (goes_far()) {
-    guide_.emplace(task_, scene_, to_, from_,
-                   GridDistance::Options{.side = task_.vehicle.width,
-                                         .greediness = level_ == 0 ? greediness_of_first_way : 1.0,
-                                         .detour = 1.0});
+    guide_.emplace(
+        task_, scene_, to_, from_,
+        GridDistance::Options{
+            .side = task_.vehicle.width, .greediness = greediness_of_far_way, .detour = 1.0});
   } else {
     // Without a price of clearance a first route is found sooner.
     const double weight = is_known() ? rule_.clearance_weight : 0.0;
@@ -81,15 +78,13 @@ DrivenBeside Ladder::driven_beside_route(const CostRule& rule) const {
 void Ladder::next_search() {
   lattice_.reset();
   strung_.reset();
-  if (level_ == coarse_to_fine.size() || (is_far_ && is_known() && !goes_far())) {
+  if (level_ == coarse_to_fine.size()) {
     finished_ = true;
     return;
   }
-  LatticeOptions options = coarse_to_fine[goes_far() && level_ > 0 ? level_ - 1 : level_];
-  lattice_.emplace(from_, to_, driven_beside_route(by_length_.rule()), options, *guide_,
-                   by_length_);
-  const bool is_new_guide = guide_level_ == level_;
-  if (goes_far() && is_new_guide && guide_->is_connected()) {
+  lattice_.emplace(from_, to_, driven_beside_route(by_length_.rule()), coarse_to_fine[level_],
+                   *guide_, by_length_);
+  if (goes_far() && guide_->is_connected()) {
     std::vector<Point> way = guide_->way();
     if (root_ == Root::goal) std::reverse(way.begin(), way.end());
     strung_.emplace(task_, std::move(way), *by_gears_);
@@ -104,12 +99,14 @@ bool Ladder::step() {
     // Coarse cells may close a narrow opening.
     guided_ = guide_->is_connected() || is_far_ || guide_side_ < fine_guide_side;
     if (!guided_) next_guide();
-    // A route of a greedier guide is better than a search without a guide.
+    // A known route is better than a search without a guide.
     if (guided_ && is_far_ && is_known() && !guide_->is_connected()) finished_ = true;
     return false;
   }
   if (takes_turns()) return step_rotation();
   if (!lattice_ || is_done_ || lattice_->is_exhausted() || lattice_->size() > max_lattice_nodes) {
+    finished_ = is_far_ && is_known() && level_ > 0;  // shortening finds the routes beside it
+    if (finished_) return false;
     if (needs_next_guide()) {
       next_guide();
       return false;
@@ -120,7 +117,7 @@ bool Ladder::step() {
   if (strung_) return step_strung();
   lattice_->set_cutoff(slack * cutoff_);
   const bool found = !lattice_->is_exhausted() && lattice_->step();
-  is_done_ = found && is_far_;  // shortening finds the routes beside it
+  is_done_ = found && is_far_;
   return found;
 }
 
@@ -133,14 +130,11 @@ bool Ladder::step_strung() {
   return is_done_ && route().cost < slack * cutoff_;
 }
 
-bool Ladder::goes_far() const { return is_far_ && level_ < far_searches; }
+// Whether the next search is the one over a whole site.
+bool Ladder::goes_far() const { return is_far_ && level_ == 0; }
 
-// Whether the next search has another guide: a finer one after the first search, or over a whole
-// site one with other options.
-bool Ladder::needs_next_guide() const {
-  if (goes_far()) return guide_level_ == 0 && level_ > 0;
-  return level_ == 1 && guide_side_ > fine_guide_side / 2;
-}
+// Whether the next search has another guide: a finer one after the first search.
+bool Ladder::needs_next_guide() const { return level_ == 1 && guide_side_ > fine_guide_side / 2; }
 
 // Whether different searches take turns.
 bool Ladder::takes_turns() const { return !is_far_ && !rule_.is_length() && is_known(); }

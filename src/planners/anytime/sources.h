@@ -20,10 +20,11 @@ namespace vandplan::anytime {
 enum class Root { start, goal };
 
 /// Lattice searches from coarse to fine, all from the same root. With prices they go by length
-/// until a route is known. Afterwards different searches take turns (`Rotation`).
+/// until a route is known. Afterwards different searches take turns (`Rotation`). Over a whole site
+/// there is one search, in a strip, and others only if that finds no route.
 class Ladder final : public Source {
  public:
-  /// Task and rule outlive the object. Over a whole site the search sees only a strip.
+  /// Task and rule outlive the object.
   Ladder(const Task& task, const CostRule& rule, Root root);
 
   /// Works for a few microseconds. True when a route was found: `route`.
@@ -63,9 +64,8 @@ class Ladder final : public Source {
   double guide_side_ = 1.0;  // side of the next guide's cells [vehicle widths]
   bool guided_ = false;      // whether the guide is complete
   bool finished_ = false;
-  std::size_t level_ = 0;        // index of the next search
-  std::size_t guide_level_ = 0;  // value of `level_` when the guide was made
-  bool is_done_ = false;         // whether the current search has found what it can
+  std::size_t level_ = 0;  // index of the next search
+  bool is_done_ = false;   // whether the current search has found what it can
   double cutoff_;
   /// Drives along the way of the guide over a whole site; none if that failed.
   std::optional<Strung> strung_;
