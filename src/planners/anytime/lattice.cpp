@@ -10,7 +10,6 @@
 namespace vandplan::anytime {
 namespace {
 
-constexpr double guide_trust = 0.9;  // trusted share of the guide's cost-to-go, which is no bound
 constexpr double straight_cells = 1.5;  // length of a straight step [cells], which leaves its cell
 /// Expanded poses for one exact path, with continuous curvature and a known route. Exact paths take
 /// half of the time then, and one of a hundred is cheaper.
@@ -102,7 +101,7 @@ void Lattice::grow_table() {
 
 void Lattice::open(const Node& node) {
   const double around = guide_.at(node.pose.x, node.pose.y);
-  if (node.cost_to_come + guide_trust * around >= cutoff_) return;
+  if (node.cost_to_come + around >= cutoff_) return;
   const double rank = node.cost_to_come + options_.greediness * around;
   open_.push({rank, around, 0.0, static_cast<std::int32_t>(nodes_.size())});
   nodes_.push_back(node);
