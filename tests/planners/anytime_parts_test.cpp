@@ -109,7 +109,7 @@ TEST(Rotation, EveryRouteIsValidAndOfInterest) {
       Route route = rotation.route();
       route.cost = cost_of(rule, route);
       expect_valid(problem, rule, route);
-      EXPECT_LT(route.cost, 1.1 * cutoff + 1e-9);
+      EXPECT_LT(route.cost, cutoff + 1e-9);
       cutoff = std::min(cutoff, route.cost);
     }
   });

@@ -5,7 +5,6 @@
 namespace vandplan::anytime {
 namespace {
 
-constexpr double slack_of_rotation = 1.1;    // a route may cost so many times the best
 constexpr std::int64_t one_turn = 256;       // expansions of a turn
 constexpr std::int64_t first_turn = 1024;    // expansions of the first turn of the coarsest search
 constexpr std::int64_t max_nodes = 100'000;  // nodes of one search
@@ -40,7 +39,7 @@ bool Rotation::step(double cutoff) {
     left_ = 0;
     return false;
   }
-  lattice->set_cutoff(slack_of_rotation * cutoff);
+  lattice->set_cutoff(cutoff);
   return lattice->step();
 }
 

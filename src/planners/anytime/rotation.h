@@ -23,8 +23,8 @@ class Rotation {
   Rotation(const LocalPose& root, const LocalPose& target, const DrivenBeside& beside,
            const Guide& guide, Connector& connector);
 
-  /// Expands one pose. True when a route was found: `route`. Routes that cost much more than
-  /// `cutoff`, the cost of the best route, are ignored.
+  /// Expands one pose. True when a route was found: `route`. Routes that do not cost less than
+  /// `cutoff` are ignored [m].
   [[nodiscard]] bool step(double cutoff);
 
   /// The last route that was found, from the root to the target.

@@ -16,7 +16,7 @@ namespace {
 constexpr std::int64_t max_lattice_nodes = 300'000;  // nodes of one search: some 30 MB
 /// Greediness of the way on the grid that guides the search over a whole site.
 constexpr double greediness_of_far_way = 1.25;
-constexpr double slack = 1.05;  // a route may cost so many times the best: shortening helps
+constexpr double slack = 1.1;  // a route may cost so many times the best: shortening helps
 
 // The rule without prices of steering and clearance, for a first route: shortening takes care of
 // them.
@@ -150,7 +150,7 @@ bool Ladder::step_rotation() {
     }
     rotation_.emplace(from_, to_, driven_beside_route(by_price_.rule()), *guide_, by_price_);
   }
-  const bool found = rotation_->step(cutoff_);
+  const bool found = rotation_->step(slack * cutoff_);
   finished_ = rotation_->is_finished();
   return found;
 }
