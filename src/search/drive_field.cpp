@@ -35,14 +35,12 @@ DriveField::DriveField(Connector& connector, ClearanceRaster& raster, const Boun
       turn_(2 * std::numbers::pi / options.headings),
       x_min_(static_cast<float>(box.x_min)),
       y_min_(static_cast<float>(box.y_min)),
-      greediness_(static_cast<float>(options.greediness)),
-      cutoff_(static_cast<float>(most * options.greediness)) {
+      cutoff_(static_cast<float>(most)) {
   const double radius = connector.radius();
   const double cell = options.cell * radius;
   const CostRule& rule = connector.rule();
   cells_of_metre_ = static_cast<float>(1 / cell);
-  buckets_of_metre_ = static_cast<float>(
-      std::min(1 / (bucket * radius), max_buckets / (most * options.greediness)));
+  buckets_of_metre_ = static_cast<float>(std::min(1 / (bucket * radius), max_buckets / most));
   columns_ = static_cast<std::int64_t>((box.x_max - box.x_min) / cell) + 1;
   rows_ = static_cast<std::int64_t>((box.y_max - box.y_min) / cell) + 1;
   gear_change_ = static_cast<float>(rule.gear_change_cost);
@@ -141,10 +139,9 @@ float DriveField::to_go(const Node& node, std::int64_t cell) {
     const std::int64_t column = cell % columns_;
     const std::int64_t row = cell / columns_;
     const auto side = static_cast<double>(cells_of_metre_);
-    known =
-        greediness_ * static_cast<float>(guide_->at(
-                          static_cast<double>(x_min_) + (static_cast<double>(column) + 0.5) / side,
-                          static_cast<double>(y_min_) + (static_cast<double>(row) + 0.5) / side));
+    known = static_cast<float>(
+        guide_->at(static_cast<double>(x_min_) + (static_cast<double>(column) + 0.5) / side,
+                   static_cast<double>(y_min_) + (static_cast<double>(row) + 0.5) / side));
   }
   return known;
 }

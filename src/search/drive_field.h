@@ -17,12 +17,10 @@
 
 namespace vandplan::search {
 
-/// Resolution of a field and weight of its guide.
+/// Resolution of a field.
 struct FieldOptions {
   int headings = 24;   ///< Cells of a full turn; each arc turns by one cell.
   double cell = 0.25;  ///< Side of a position cell [turning radii].
-  /// Weight of the guide's estimate. Above 1 fewer poses are expanded and costlier ways found.
-  double greediness = 1.0;
 };
 
 /// Costs of ways from a root, made of arcs and lines of fixed lengths. Each cell of place, heading
@@ -113,7 +111,7 @@ class DriveField {
   Pose root_;
   int headings_;
   double turn_;
-  float x_min_, y_min_, cells_of_metre_, buckets_of_metre_, greediness_;
+  float x_min_, y_min_, cells_of_metre_, buckets_of_metre_;
   std::int64_t columns_, rows_;
   /// Prices [m]: a gear change; turning the wheels from straight to full lock.
   float gear_change_, turning_;

@@ -231,24 +231,6 @@ TEST(Survey, LooksForNothingThatCostsMuchMore) {
   for (const Route& route : survey(problem, rules[1], 70.0)) EXPECT_LT(route.cost, 1.5 * 70.0);
 }
 
-// The first way comes before the first look around, and after a small part of the work.
-TEST(Survey, GivesTheFirstWayAtOnce) {
-  const Problem problem = problem_of({0, 0, pi}, {100, 0, pi}, {box(40, 20, 60, 30)});
-  Survey survey(problem.task(), rules[1]);
-  survey.set_cutoff(200.0);
-  int first = 0;
-  while (!survey.step()) {
-    ++first;
-    ASSERT_TRUE(survey.is_glance());
-  }
-  EXPECT_FALSE(survey.is_glance());
-  EXPECT_TRUE(survey.is_first_pass());
-  expect_valid(problem, rules[1], survey.route());
-  int others = 0;
-  for (; survey.is_first_pass(); ++others) (void)survey.step();
-  EXPECT_LT(first, others / 2);
-}
-
 // A route that wins for a while may be of a kind that gets cheaper than all others yet.
 TEST(Seeker, KeepsWhatHasWonForAWhile) {
   const Problem problem = problem_of({0, 0, pi}, {100, 0, pi}, {box(40, 20, 60, 30)});

@@ -267,35 +267,6 @@ TEST(DriveField, GoesOnWhereTheOtherOneHasBeen) {
   });
 }
 
-/// How many poses the field from the goal looks at until it is near the start, or 0.
-int poses_until_near_start(Fields& fields) {
-  for (int poses = 1; poses < 200'000 && !fields.from_goal.is_exhausted(); ++poses) {
-    const std::int32_t id = fields.from_goal.step();
-    if (id == DriveField::none) continue;
-    const Pose pose = fields.from_goal.pose(fields.from_goal.node(id));
-    const Pose& start = fields.task.start;
-    if (std::hypot(pose.x - start.x, pose.y - start.y) < 3.0) return poses;
-  }
-  return 0;
-}
-
-TEST(DriveField, LooksAtFewerPosesIfItIsGreedy) {
-  int plain = 0, greedy = 0;
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    Rng rng(seed);
-    const Problem problem = some_problem(rng);
-    Fields fields(problem, driver);
-    Fields in_a_hurry(problem, driver, {24, 0.25, 2.0});
-    const int poses = poses_until_near_start(fields);
-    if (poses == 0) continue;
-    plain += poses;
-    const int fewer = poses_until_near_start(in_a_hurry);
-    EXPECT_GT(fewer, 0);  // ways are not left out, though
-    greedy += fewer;
-  }
-  EXPECT_LT(greedy, 0.7 * plain);
-}
-
 TEST(DriveField, NoWayCostsMoreThanTheCutoff) {
   const Problem problem = problem_of({20, 0, 0}, {0, 0, 0}, {}, area);
   Fields fields(problem, driver, {}, 30.0);

@@ -252,16 +252,14 @@ void Composer::add_survey() {
   auto worker = seeker(task, of_survey,
                        [&task, &rule = rule_] { return std::make_unique<Survey>(task, rule); });
   const auto source = [&worker = *worker] { return static_cast<const Survey*>(worker.source()); };
-  Share share = [source, has_relaxed = has_relaxed()](const Progress& now) -> std::int64_t {
+  const std::int64_t begin = has_relaxed() ? shares::first_relaxed_survey : shares::first_survey;
+  Share share = [source, begin](const Progress& now) -> std::int64_t {
+    const bool is_early = now.iterations < begin;
     if (!now.has_route) return 0;
-    const Survey* survey = source();
-    const bool is_glance = survey == nullptr || survey->is_glance();
-    const bool is_early =
-        now.iterations < (has_relaxed && is_glance ? shares::early_survey : shares::first_survey);
     if (is_early && now.rounds_with_route < shares::rounds_without_work) return 0;
-    const std::int64_t first = has_relaxed && is_glance ? shares::first_glance : shares::first_pass;
-    const bool is_first = is_glance || survey->is_first_pass();
-    return growing_share(is_first ? first : shares::survey.by_prices, now.rounds_with_route);
+    const Survey* survey = source();
+    const bool is_first = survey == nullptr || survey->is_first_pass();
+    return growing_share(is_first ? shares::first_pass : shares::survey, now.rounds_with_route);
   };
   Slot& slot = add("survey", std::move(worker), std::move(share));
   slot.is_relaxed = has_relaxed();

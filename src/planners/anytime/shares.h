@@ -36,13 +36,11 @@ inline constexpr Row search_from_start{{1, 64}, 64, 160, 24, {6, 48}, {64, 64}};
 inline constexpr Row refine{{}, 256, 0, 0, {0, 48}};
 inline constexpr Row length_prover{{}, 2, 2, 1, {0, 1}};
 inline constexpr Row bend{{}, 24, 0, 96, {0, 24}};
-inline constexpr Row survey{{}, 0, 0, 16, {}};
 
-/// Share of a relaxed survey in its first pass, the glance [iterations a round]. It is large,
-/// because a first route of another kind is wanted soon.
-inline constexpr std::int64_t first_glance = 200;
-/// Share of the survey in its first full pass, or in a glance that is not relaxed [iterations a
-/// round].
+/// Share of the survey [iterations a round].
+inline constexpr std::int64_t survey = 16;
+/// Share of the survey in its first pass [iterations a round]. It is large, because a first route
+/// of another kind is wanted soon.
 inline constexpr std::int64_t first_pass = 100;
 
 /// Rounds from one round of detours to the next, over a whole site. Detours and refining have
@@ -58,9 +56,8 @@ inline constexpr std::int64_t cheapest_drive = 192;
 /// Iteration at which the survey begins, if there is a route. Earlier it would delay workers that
 /// gain more.
 inline constexpr std::int64_t first_survey = 3000;
-/// Iteration at which the glance of a relaxed survey begins. Iterations are slower with continuous
-/// curvature.
-inline constexpr std::int64_t early_survey = 1000;
+/// Iteration at which a relaxed survey begins. Iterations are slower with continuous curvature.
+inline constexpr std::int64_t first_relaxed_survey = 1000;
 /// Rounds with a route after which the survey begins in any case: all other workers may have ended.
 inline constexpr std::int64_t rounds_without_work = 64;
 

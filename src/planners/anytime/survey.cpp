@@ -17,20 +17,17 @@ namespace {
 /// it is luck which poses they keep. So passes differ.
 constexpr std::array<FieldOptions, 4> survey_passes = {
     {{16, 0.4}, {24, 0.25}, {18, 0.3}, {36, 0.25}}};
-/// Cells of the glance and weight of its guide.
-constexpr FieldOptions survey_glance = {16, 0.4, 2.0};
 constexpr double shift = 0.618;  // shift of the cells each time all passes were used [cells]
 constexpr double excess = 1.1;   // a way may cost so many times the cheapest way of a pass
 /// A way may cost so many times the best route, because ways are crooked.
 constexpr double worth_a_pass = 1.2;
-constexpr std::int64_t max_poses = 200'000;           // poses expanded by the field from the goal
-constexpr std::int64_t max_poses_of_glance = 50'000;  // poses expanded by a glance
-constexpr double max_cells = 1e6;                     // cells of places and headings in one field
-constexpr int poses_of_step = 32;                     // poses expanded in one step
-constexpr int steps_of_preparing = 8;                 // steps of grid and raster in one step
-constexpr double border = 2.0;                        // border around the scene [turning radii]
-constexpr double room_of_step = 0.2;      // room that the longest step needs [turning radii]
-constexpr std::int64_t bin_headings = 8;  // bins of the heading
+constexpr std::int64_t max_poses = 200'000;  // poses expanded by the field from the goal
+constexpr double max_cells = 1e6;            // cells of places and headings in one field
+constexpr int poses_of_step = 32;            // poses expanded in one step
+constexpr int steps_of_preparing = 8;        // steps of grid and raster in one step
+constexpr double border = 2.0;               // border around the scene [turning radii]
+constexpr double room_of_step = 0.2;         // room that the longest step needs [turning radii]
+constexpr std::int64_t bin_headings = 8;     // bins of the heading
 /// A word that joins two branches replaces so many steps of one branch, and half as many of the
 /// other.
 constexpr std::array<std::size_t, 7> steps_replaced = {1, 2, 3, 4, 6, 8, 12};
@@ -78,12 +75,11 @@ bool Survey::prepare() {
 
 void Survey::begin_pass() {
   most_ = worth_a_pass * cutoff_;
-  const std::size_t pass = passes_ - (is_glance() ? 0 : 1);
-  options_ = is_glance() ? survey_glance : survey_passes[pass % survey_passes.size()];
+  options_ = survey_passes[passes_ % survey_passes.size()];
   const double area = (box_.x_max - box_.x_min) * (box_.y_max - box_.y_min);
   const double least_cell = std::sqrt(area * options_.headings / max_cells) / forth_.radius();
   options_.cell = std::max(options_.cell, least_cell);
-  const std::size_t times_around = pass / survey_passes.size();
+  const std::size_t times_around = passes_ / survey_passes.size();
   const double shifts = shift * static_cast<double>(times_around);
   const double offset = std::fmod(shifts, 1.0) * options_.cell * forth_.radius();
   cells_ = {box_.x_min - offset, box_.x_max, box_.y_min - offset, box_.y_max};
@@ -105,12 +101,9 @@ bool Survey::meet(std::int32_t id) {
   const double turn = wrap_angle(task_.start.heading - from_goal_->pose(node).heading);
   if (std::abs(turn) > std::numbers::pi / options_.headings) return false;
   has_met_ = true;
-  if (!is_glance()) {
-    from_goal_->set_cutoff(excess * static_cast<double>(node.cost) + forth_.radius());
-  }
+  from_goal_->set_cutoff(excess * static_cast<double>(node.cost) + forth_.radius());
   if (!join({{}, {task_.start}}, branch(*from_goal_, task_.goal, id))) return false;
   price(forth_, route_);
-  if (is_glance()) end();
   return kinds_.is_new(route_, forth_.radius());
 }
 
@@ -119,17 +112,10 @@ bool Survey::go_back() {
   for (int i = 0; i < poses_of_step && !from_goal_->is_exhausted(); ++i) {
     const std::int32_t id = from_goal_->step();
     ++poses_;
-    if (id == DriveField::none || (has_met_ && !is_glance())) continue;
+    if (id == DriveField::none || has_met_) continue;
     if (meet(id)) return true;
-    if (!from_goal_) return false;
   }
-  const std::int64_t most = is_glance() ? max_poses_of_glance : max_poses;
-  if (!from_goal_->is_exhausted() && poses_ <= most) return false;
-  if (is_glance()) {
-    end();
-  } else {
-    go_forth();
-  }
+  if (from_goal_->is_exhausted() || poses_ > max_poses) go_forth();
   return false;
 }
 

@@ -25,8 +25,7 @@ using namespace search;
 
 /// Searches everywhere for routes of other kinds. Two fields hold the cost of driving from each
 /// pose to the goal, and from the start to each pose. Where both add up to little more than the
-/// least cost, a way leads through. Ways of different kinds become routes of arcs and lines. A
-/// hasty first pass, the glance, ends with its first route.
+/// least cost, a way leads through. Ways of different kinds become routes of arcs and lines.
 class Survey final : public Source {
  public:
   /// The task and the rule outlive the survey.
@@ -37,10 +36,8 @@ class Survey final : public Source {
   [[nodiscard]] Route route() const override { return route_; }
   /// Sets the cost of the best route; much dearer ways are ignored. Must be called before `step`.
   void set_cutoff(double cost) override { cutoff_ = cost; }
-  /// Whether the survey is in its glance.
-  [[nodiscard]] bool is_glance() const { return passes_ == 0; }
-  /// Whether the survey is in its first full pass, which has the coarsest cells.
-  [[nodiscard]] bool is_first_pass() const { return passes_ == 1; }
+  /// Whether the survey is in its first pass, which has the coarsest cells.
+  [[nodiscard]] bool is_first_pass() const { return passes_ == 0; }
 
   [[nodiscard]] Counts counts() const override { return counts_of(forth_) += counts_of(back_); }
 
@@ -76,7 +73,7 @@ class Survey final : public Source {
   std::unique_ptr<GridDistance> guide_;
   std::unique_ptr<ClearanceRaster> raster_;
   bool is_prepared_ = false;
-  std::size_t passes_ = 0;  // passes so far, the glance included
+  std::size_t passes_ = 0;  // passes so far
   double most_ = 0.0;       // largest cost of a way in this pass [m]
   FieldOptions options_;    // cells of this pass
   Bounds cells_ = {};       // area that the cells cover, shifted in later passes
