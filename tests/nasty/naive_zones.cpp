@@ -14,8 +14,9 @@
 namespace vandplan::nasty {
 namespace {
 
-constexpr Real allowed_turn = 1e-5;  // by which a direction of travel may be off [rad]
-constexpr Real longest_look = 300;   // length of a path that is looked at millimetre by millimetre
+constexpr Real allowed_turn = 1e-5;         // by which a direction of travel may be off [rad]
+constexpr Real beside = 4 * allowed_depth;  // both sides of a way are so far from it [m]
+constexpr Real longest_look = 300;  // length of a path that is looked at millimetre by millimetre
 
 /// A zone, its area counted from the start.
 struct Area {
@@ -76,6 +77,17 @@ class Zones {
       if (mask.use == MaskUse::cost) factor *= of_mask(mask, at.place, 1);
     }
     return factor;
+  }
+
+  /// By how much that factor differs on both sides of a way: it may run along the border of an
+  /// area, or of a cell.
+  [[nodiscard]] Real doubt(Drive at) const {
+    const Vector place = at.place;
+    const Vector aside = {-std::sin(at.heading) * beside, std::cos(at.heading) * beside};
+    at.place = {place.x + aside.x, place.y + aside.y};
+    const Real left = factor(at);
+    at.place = {place.x - aside.x, place.y - aside.y};
+    return std::abs(left - factor(at));
   }
 
   /// Largest speed there by zones and masks.
@@ -150,7 +162,7 @@ ZoneLook naive_look_at_zones(const Scenario& scenario, const Path& path) {
       if (look.flaw.empty()) look.flaw = zones.broken(at, segment.length < 0 ? -1 : 1);
       const Real factor = zones.factor(at);
       sum += factor * std::abs(part);
-      unsure += std::abs(factor - before) * std::abs(part);
+      unsure += (std::abs(factor - before) + zones.doubt(at)) * std::abs(part);
       duration += std::abs(part) / zones.speed(at);
       before = factor;
     }
