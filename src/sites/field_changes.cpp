@@ -121,14 +121,18 @@ bool SiteField::is_near(const Label& label, const Bounds& box, double ahead, dou
 }
 
 /// Asks for a label again, when the states are settled that may offer one at such a cost. So does
-/// the state in the other gear, which the label may have beaten.
+/// the state in the other gear: the label may have kept better offers from it than it has taken
+/// since.
 void SiteField::orphan(Id state, float cost) {
   const auto ask = [this](Id which, float at) {
     states_[which].status = Status::orphan;
     push(which, at);
   };
   ask(state, cost);
-  if (states_[state ^ 1U].cost == infinite) ask(state ^ 1U, cost + gear_change_);
+  const State& twin = states_[state ^ 1U];
+  if (twin.status != Status::settled && twin.cost >= cost + gear_change_) {
+    ask(state ^ 1U, cost + gear_change_);
+  }
 }
 
 /// Takes the label from a state, and the labels that depend on it.
