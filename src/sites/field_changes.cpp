@@ -96,7 +96,8 @@ bool SiteField::still_holds(Id state, const Bounds& changed) {
   const double margin = options_.clearance.margin + 2 * CollisionChecker::tolerance;
   const auto length = static_cast<double>(step.length);
   const double aside = step.arc == 0 ? 0.0 : swing(length);
-  if (is_near(label, changed, margin + length, margin + aside)) label.is_checked = false;
+  const double turned = step.arc == 0 ? 0.0 : turn_ * footprint(task_.vehicle).half_width;
+  if (is_near(label, changed, margin + length + turned, margin + aside)) label.is_checked = false;
   label.is_sure = offer.label.is_sure;
   if (label.is_sure || label.is_checked) return true;
   label.is_checked = is_free(label);

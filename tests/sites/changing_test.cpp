@@ -113,6 +113,10 @@ TEST(ChangingSiteTable, AsksAgainForWhatALabelKeptFromTheOtherGear) {
   for_each_case(34, 5, [](Rng& rng) { (void)compared_while_parking(rng); });
 }
 
+TEST(ChangingSiteTable, SeesThatABodyWouldTurnIntoWhatCame) {
+  for_each_case(32, 5, [](Rng& rng) { (void)compared_while_parking(rng); });
+}
+
 TEST(ChangingSiteTable, IsAsMadeAnewWhenCellsOfAMapChange) {
   for_each_case(2, 6, [&](Rng& rng) {
     Scenario scenario = court_of_crates(rng);
