@@ -120,12 +120,27 @@ class ChangingSiteTable {
   /// last one. The result is the table that `make_site_table` makes for the world, byte for byte,
   /// except that the table keeps its box. A goal that is not free has no ways until it is free
   /// again. Where bounds, origin or the shape of a map differ, the table is made anew. Throws
-  /// InputError naming "problem" if the vehicle is another one or obstacles move; then the table
-  /// stays.
+  /// InputError naming "problem" if the vehicle's body or radius is another or obstacles move; then
+  /// the table stays.
   void repair(const Problem& problem);
+
+  /// Repairs as above for the world of a scenario, wherever its start is: the table keeps its
+  /// origin. Also throws InputError naming a key of the scenario.
+  void repair(const Scenario& scenario);
+
+  /// Makes the ways to some goals, by number, those of the problem's world. Goals that the world's
+  /// changes concern, and that were left out, have no ways until they are repaired. False if it
+  /// ended early because `is_over` said so: the table stays, and a later repair goes on. `is_over`
+  /// is called from any of the table's threads. Throws InputError as above, also naming "goals".
+  bool repair(const Problem& problem, std::span<const std::size_t> goals,
+              const std::function<bool()>& is_over);
 
   /// The table. Copies that were taken before a repair stay as they are.
   [[nodiscard]] const SiteTable& table() const noexcept;
+
+  /// Origin of the worlds that the table can be repaired for, in the scenario's frame [m]. A world
+  /// that is made near this place has it.
+  [[nodiscard]] Point origin() const noexcept;
 
  private:
   class Impl;

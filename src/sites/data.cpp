@@ -260,7 +260,7 @@ std::string layer_to_bytes(const SiteGrid& grid, const LayerSource& source, Site
 }
 
 std::string site_to_bytes(const SiteKey& key, const SiteGrid& grid, std::vector<SiteLayer> layers,
-                          const std::vector<std::string>& numbers) {
+                          std::span<const std::string_view> numbers) {
   std::string bytes(magic);
   append(bytes, version);
   append(bytes, static_cast<std::uint32_t>(grid.headings));
@@ -283,10 +283,14 @@ std::string site_to_bytes(const SiteKey& key, const SiteGrid& grid, std::vector<
     at += numbers[i].size();
   }
   bytes.reserve(static_cast<std::size_t>(at));
-  for (const std::string& part : numbers) bytes += part;
+  for (const std::string_view part : numbers) bytes += part;
   std::string sum;
   append(sum, checksum_of(bytes));
   return bytes.replace(checksum_at, sum.size(), sum);
+}
+
+std::string empty_numbers(const SiteGrid& grid) {
+  return std::string(static_cast<std::size_t>(words_of(grid)) * word_size, '\0');
 }
 
 SiteData site_from_bytes(std::string_view all, std::shared_ptr<const void> owner,

@@ -145,7 +145,10 @@ struct LayerSource {
 /// The file of a table. The layers' places are computed here.
 [[nodiscard]] std::string site_to_bytes(const SiteKey& key, const SiteGrid& grid,
                                         std::vector<SiteLayer> layers,
-                                        const std::vector<std::string>& numbers);
+                                        std::span<const std::string_view> numbers);
+
+/// Numbers of a layer that no pair reaches.
+[[nodiscard]] std::string empty_numbers(const SiteGrid& grid);
 
 /// The table in a file. Throws InputError naming `file` if it is foreign, truncated, altered, or of
 /// another version.

@@ -344,9 +344,12 @@ bool SiteField::is_ripe(Id state) const noexcept {
          bucket_of(states_[state].cost) <= front_;
 }
 
-bool SiteField::spread(const std::stop_token& stop) {
+bool SiteField::spread(const std::function<bool()>& is_over) {
   for (front_ = 0; front_ < buckets_.size(); ++front_) {
-    if (stop.stop_requested()) return false;
+    if (!buckets_[front_].empty() && is_over()) {
+      front_ = 0;
+      return false;
+    }
     // In the order of memory, which is faster.
     std::ranges::sort(buckets_[front_]);
     const auto again = std::unique(buckets_[front_].begin(), buckets_[front_].end());

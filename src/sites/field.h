@@ -9,10 +9,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <span>
-#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -35,11 +35,11 @@ class SiteField {
   SiteField(const SiteGrid& grid, const Bounds& box, const Task& task, const PlanOptions& options);
 
   /// Takes over the ground of a task with the same vehicle, goal and prices. Nothing but `changed`
-  /// differs from the ground before. `spread` has to follow.
+  /// differs from the ground before. `spread` has to follow, and may have been cut short before.
   void renew(const Task& task, std::span<const GroundChange> changed);
 
-  /// Finds all labels. False if `stop` was asked to stop; a later call goes on.
-  [[nodiscard]] bool spread(const std::stop_token& stop);
+  /// Finds all labels. False if it ended early because `is_over` said so; a later call goes on.
+  [[nodiscard]] bool spread(const std::function<bool()>& is_over);
 
   /// Writes the numbers of the layer anew where labels have changed since the last call. `numbers`
   /// and `layer` are those of that call, or empty but for the layer's goal.

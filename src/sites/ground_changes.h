@@ -27,6 +27,9 @@ class SeenGround {
   /// stays.
   [[nodiscard]] std::optional<std::vector<GroundChange>> look(const World& world);
 
+  /// Origin of the world's frame [m].
+  [[nodiscard]] const Point& origin() const noexcept { return origin_; }
+
  private:
   Point origin_;
   Surroundings ground_;                              // without numbers of map and masks

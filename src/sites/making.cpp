@@ -2,12 +2,16 @@
 // Copyright (c) 2026, the Vändplan authors
 
 // Tables of sites are made, and repaired where the site changes.
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,33 +30,28 @@ namespace {
 
 using sites::GroundChange, sites::SeenGround, sites::Site, sites::SiteField, sites::SiteLayer;
 
-std::vector<SiteLayer> empty_layers(std::span<const Pose> goals) {
-  std::vector<SiteLayer> layers;
-  for (const Pose& goal : goals) layers.push_back({.goal = goal});
-  return layers;
-}
-
 /// The table of these numbers, for the world of a problem.
 SiteTable table_of(const Problem& problem, const PlanOptions& options, const sites::SiteGrid& grid,
-                   const std::vector<SiteLayer>& layers, const std::vector<std::string>& numbers) {
+                   const std::vector<SiteLayer>& layers,
+                   std::span<const std::string_view> numbers) {
   const sites::SiteKey key = sites::site_key(*problem.world(), problem.vehicle(), options);
   const auto bytes =
       std::make_shared<const std::string>(sites::site_to_bytes(key, grid, layers, numbers));
   return site_table_from_bytes(*bytes, bytes, "site");
 }
 
-/// Calls `work(i)` for each goal, and tells of it. False if the work was stopped.
+/// Calls `work(i)` for each goal until `is_over`, and tells of it. False if it was over early.
 bool for_goals(std::size_t count, const SiteTableOptions& table,
-               const std::function<void(std::size_t)>& work) {
+               const std::function<bool()>& is_over, const std::function<void(std::size_t)>& work) {
   parallel_in_order(
       count, table.threads,
       [&](std::size_t i) {
-        if (!table.stop.stop_requested()) work(i);
+        if (!is_over()) work(i);
       },
       [&](std::size_t i) {
         if (table.progress) table.progress(i + 1);
       });
-  return !table.stop.stop_requested();
+  return !is_over();
 }
 
 }  // namespace
@@ -61,86 +60,150 @@ std::optional<SiteTable> make_site_table(const Problem& problem, std::span<const
                                          const PlanOptions& options,
                                          const SiteTableOptions& table) {
   const Site site = sites::site_of(problem, goals, options, table);
-  std::vector<SiteLayer> layers = empty_layers(goals);
+  std::vector<SiteLayer> layers;
+  for (const Pose& goal : goals) layers.push_back({.goal = goal});
   std::vector<std::string> numbers(goals.size());
-  const bool is_made = for_goals(goals.size(), table, [&](std::size_t i) {
+  const auto is_over = [&table] { return table.stop.stop_requested(); };
+  const bool is_made = for_goals(goals.size(), table, is_over, [&](std::size_t i) {
     SiteField field(site.grid, site.box, site.tasks[i], options);
-    if (field.spread(table.stop)) field.write(numbers[i], layers[i]);
+    if (field.spread(is_over)) field.write(numbers[i], layers[i]);
   });
   if (!is_made) return std::nullopt;
-  return table_of(problem, options, site.grid, layers, numbers);
+  const std::vector<std::string_view> views(numbers.begin(), numbers.end());
+  return table_of(problem, options, site.grid, layers, views);
 }
 
 // ---- sites that change ----
 
 class ChangingSiteTable::Impl {
  public:
-  Impl(const Problem& problem, std::vector<Pose> goals, const PlanOptions& options,
+  Impl(const Problem& problem, std::span<const Pose> goals, const PlanOptions& options,
        const SiteTableOptions& table)
-      : goals_(std::move(goals)),
-        options_(options),
+      : options_(options),
         wanted_(table),
-        vehicle_(problem.vehicle()),
-        seen_(*problem.world()) {
-    make(problem);
-    wanted_.stop = {};  // a repair is done as a whole
+        vehicle_(sites::site_key(*problem.world(), problem.vehicle(), options).vehicle),
+        seen_(*problem.world()),
+        goals_(goals.begin(), goals.end()) {
+    begin_anew(problem);
+    const auto is_over = [stop = table.stop] { return stop.stop_requested(); };
+    if (!bring_up_to_date(problem, all_goals(), is_over)) {
+      throw InputError("stop", "the table was stopped before it was whole");
+    }
+    wanted_.stop = {};
     wanted_.progress = {};
   }
 
-  void repair(const Problem& problem) {
-    if (!(problem.vehicle() == vehicle_) || !problem.task().moving.empty()) {
+  bool repair(const Problem& problem, std::span<const std::size_t> goals,
+              const std::function<bool()>& is_over) {
+    const sites::SiteKey key = sites::site_key(*problem.world(), problem.vehicle(), options_);
+    if (key.vehicle != vehicle_ || !problem.task().moving.empty()) {
       throw InputError("problem", "expected the vehicle of the table, and no moving obstacles");
     }
-    const auto changes = seen_.look(*problem.world());
-    if (!changes) return make(problem);
-    std::vector<Task> tasks;
-    for (std::size_t i = 0; i < goals_.size(); ++i) {
-      tasks.push_back(sites::task_to(problem, goals_[i], i, options_));
+    for (const std::size_t goal : goals) {
+      sites::require(goal < goals_.size(), "goals", "numbers of goals of the table");
     }
-    update(problem, [&](std::size_t i) { fields_[i]->renew(tasks[i], *changes); });
+    if (const auto changes = seen_.look(*problem.world())) {
+      for (Ways& ways : ways_) ways.take(*changes);
+    } else {
+      begin_anew(problem);
+    }
+    std::vector<std::size_t> each(goals.begin(), goals.end());  // once, as threads share them
+    std::ranges::sort(each);
+    each.erase(std::unique(each.begin(), each.end()), each.end());
+    return bring_up_to_date(problem, each, is_over);
+  }
+
+  void repair(const Problem& problem) {
+    (void)repair(problem, all_goals(), [] { return false; });
   }
 
   [[nodiscard]] const SiteTable& table() const noexcept { return *table_; }
+  [[nodiscard]] const Point& origin() const noexcept { return seen_.origin(); }
 
  private:
-  void make(const Problem& problem) {
+  /// Ways to one goal.
+  struct Ways {
+    SiteLayer layer = {};
+    std::unique_ptr<SiteField> field = {};   // null until it is needed
+    std::vector<GroundChange> changes = {};  // since the field last looked at its ground
+    bool is_current = false;                 // whether the numbers are those of the ground
+    std::string numbers = {};
+
+    void take(const std::vector<GroundChange>& more) {
+      if (more.empty() || !field) return;
+      changes.insert(changes.end(), more.begin(), more.end());
+      is_current = false;
+    }
+  };
+
+  [[nodiscard]] std::vector<std::size_t> all_goals() const {
+    std::vector<std::size_t> all(goals_.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
+  }
+
+  /// Forgets all ways, as the ground differs in what concerns all places.
+  void begin_anew(const Problem& problem) {
     Site site = sites::site_of(problem, goals_, options_, wanted_);
     seen_ = SeenGround(*problem.world());
     grid_ = site.grid;
-    layers_ = empty_layers(goals_);
-    numbers_.assign(goals_.size(), {});
-    fields_.clear();
-    fields_.resize(goals_.size());
-    update(problem, [&](std::size_t i) {
-      fields_[i] = std::make_unique<SiteField>(grid_, site.box, site.tasks[i], options_);
-    });
+    box_ = site.box;
+    ways_.clear();
+    for (const Pose& goal : goals_) ways_.push_back({.layer = {.goal = goal}});
   }
 
-  void update(const Problem& problem, const std::function<void(std::size_t)>& renew) {
-    const bool is_made = for_goals(goals_.size(), wanted_, [&](std::size_t i) {
-      renew(i);
-      if (fields_[i]->spread(wanted_.stop)) fields_[i]->write(numbers_[i], layers_[i]);
-    });
-    if (!is_made) throw InputError("stop", "the table was stopped before it was whole");
-    table_ = table_of(problem, options_, grid_, layers_, numbers_);
+  bool bring_up_to_date(const Problem& problem, std::span<const std::size_t> goals,
+                        const std::function<bool()>& is_over) {
+    const bool is_whole = for_goals(goals.size(), wanted_, is_over,
+                                    [&](std::size_t i) { renew(problem, goals[i], is_over); });
+    const auto is_current = [this](std::size_t i) { return ways_[i].is_current; };
+    if (!is_whole && !std::all_of(goals.begin(), goals.end(), is_current)) return false;
+    show(problem);
+    return true;
   }
 
-  std::vector<Pose> goals_;
+  void renew(const Problem& problem, std::size_t goal, const std::function<bool()>& is_over) {
+    Ways& ways = ways_[goal];
+    if (ways.is_current) return;
+    if (!ways.field) {
+      const Task task = sites::task_to(problem, goals_[goal], goal, options_);
+      ways.field = std::make_unique<SiteField>(grid_, box_, task, options_);
+    } else if (!ways.changes.empty()) {
+      const Task task = sites::task_to(problem, goals_[goal], goal, options_);
+      ways.field->renew(task, ways.changes);
+      ways.changes.clear();
+    }
+    if (!ways.field->spread(is_over)) return;
+    ways.field->write(ways.numbers, ways.layer);
+    ways.is_current = true;
+  }
+
+  /// Makes the table of the ways that are those of the problem's world.
+  void show(const Problem& problem) {
+    const std::string none = sites::empty_numbers(grid_);
+    std::vector<SiteLayer> layers;
+    std::vector<std::string_view> numbers;
+    for (const Ways& ways : ways_) {
+      layers.push_back(ways.is_current ? ways.layer : SiteLayer{.goal = ways.layer.goal});
+      numbers.push_back(ways.is_current ? ways.numbers : none);
+    }
+    table_ = table_of(problem, options_, grid_, layers, numbers);
+  }
+
   PlanOptions options_;
   SiteTableOptions wanted_;
-  Vehicle vehicle_;
+  std::uint64_t vehicle_;  // fingerprint
   SeenGround seen_;
+  std::vector<Pose> goals_;
   sites::SiteGrid grid_;
-  std::vector<std::unique_ptr<SiteField>> fields_;
-  std::vector<SiteLayer> layers_;
-  std::vector<std::string> numbers_;
+  Bounds box_;
+  std::vector<Ways> ways_;
   std::optional<SiteTable> table_;
 };
 
 ChangingSiteTable::ChangingSiteTable(const Problem& problem, std::span<const Pose> goals,
                                      const PlanOptions& options, const SiteTableOptions& table)
-    : impl_(std::make_unique<Impl>(problem, std::vector<Pose>(goals.begin(), goals.end()), options,
-                                   table)) {}
+    : impl_(std::make_unique<Impl>(problem, goals, options, table)) {}
 
 ChangingSiteTable::~ChangingSiteTable() = default;
 ChangingSiteTable::ChangingSiteTable(ChangingSiteTable&&) noexcept = default;
@@ -148,6 +211,19 @@ ChangingSiteTable& ChangingSiteTable::operator=(ChangingSiteTable&&) noexcept = 
 
 void ChangingSiteTable::repair(const Problem& problem) { impl_->repair(problem); }
 
+void ChangingSiteTable::repair(const Scenario& scenario) {
+  const auto world = std::make_shared<const World>(surroundings(scenario), origin());
+  const Problem problem = make_problem(world, scenario.vehicle, scenario.start, scenario.start);
+  impl_->repair(with_moving(problem, scenario.moving));
+}
+
+bool ChangingSiteTable::repair(const Problem& problem, std::span<const std::size_t> goals,
+                               const std::function<bool()>& is_over) {
+  return impl_->repair(problem, goals, is_over);
+}
+
 const SiteTable& ChangingSiteTable::table() const noexcept { return impl_->table(); }
+
+Point ChangingSiteTable::origin() const noexcept { return impl_->origin(); }
 
 }  // namespace vandplan

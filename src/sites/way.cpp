@@ -28,14 +28,17 @@ constexpr double straight = 1e-3;  // what a straight piece is longer by than th
 
 }  // namespace
 
-std::optional<std::size_t> goal_in(const SiteTable& table, const Task& task) {
-  for (std::size_t i = 0; i < table.goals().size(); ++i) {
-    const LocalPose goal = to_local(*task.world, table.goals()[i]);
-    const double away = std::hypot(goal.x - task.goal.x, goal.y - task.goal.y);
-    const double turn = std::abs(wrap_angle(goal.heading - task.goal.heading));
+std::optional<std::size_t> number_of(std::span<const Pose> poses, const Pose& goal) {
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const double away = std::hypot(poses[i].x - goal.x, poses[i].y - goal.y);
+    const double turn = std::abs(wrap_angle(poses[i].heading - goal.heading));
     if (away < same_place && turn < same_place) return i;
   }
   return std::nullopt;
+}
+
+std::optional<std::size_t> goal_in(const SiteTable& table, const Task& task) {
+  return number_of(table.goals(), to_scenario(*task.world, task.goal));
 }
 
 Ways::Ways(const SiteData& data, const SiteLayer& layer, const Task& task, const CostRule& rule)

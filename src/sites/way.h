@@ -4,6 +4,7 @@
 // Which way does a site table know from a pose?
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "sites/data.h"
@@ -18,6 +19,9 @@ namespace vandplan::sites {
 /// table.
 [[nodiscard]] SiteState state_at(const SiteGrid& grid, const SiteLayer& layer,
                                  const Pose& pose) noexcept;
+
+/// Number of the pose among some that is equal to a goal; none if there is no such one.
+[[nodiscard]] std::optional<std::size_t> number_of(std::span<const Pose> poses, const Pose& goal);
 
 /// Number of the goal of a table that is the task's; none if the table lacks it.
 [[nodiscard]] std::optional<std::size_t> goal_in(const SiteTable& table, const Task& task);

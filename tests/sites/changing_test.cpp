@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -117,6 +118,78 @@ TEST(ChangingSiteTable, SeesThatABodyWouldTurnIntoWhatCame) {
   for_each_case(32, 5, [](Rng& rng) { (void)compared_while_parking(rng); });
 }
 
+TEST(ChangingSiteTable, IsAsMadeAnewHoweverOftenARepairIsCutShort) {
+  int cuts = 0;
+  for_each_case(31, 12, [&](Rng& rng) {
+    const PlanOptions options = options_of(static_cast<int>(rng() % 5));
+    ChangingWorld ground(surroundings(court_of_crates(rng)), {-20, 0});
+    if (free_docks(in_world(ground.world()), options) < docks.size()) return;
+    ChangingSiteTable changing(in_world(ground.world()), docks, options, coarse);
+    const std::vector<std::size_t> goals = {0, 1};
+    for (int i = 0; i < 6; ++i) {
+      for (int k = 0; k < 3; ++k) {
+        const auto name = static_cast<std::int64_t>(100 + rng() % 4);
+        WorldPatch patch{.added = {{name, parked(rng)}}};
+        if (uniform01(rng) < 0.4) patch = {.removed = {name}};
+        ground.patch(patch);
+        auto left = static_cast<int>(rng() % 60);
+        const std::vector<std::size_t> some(goals.begin(),
+                                            goals.begin() + (rng() % 2 == 0 ? 1 : 2));
+        const auto is_over = [&left] { return --left < 0; };
+        cuts += changing.repair(in_world(ground.world()), some, is_over) ? 0 : 1;
+      }
+      const Problem problem = in_world(ground.world());
+      EXPECT_TRUE(changing.repair(problem, goals, [] { return false; }));
+      (void)expect_as_anew(changing, problem, options);
+    }
+  });
+  EXPECT_GT(cuts, cases(12) * 2);
+}
+
+TEST(ChangingSiteTable, KnowsNoWayToAGoalThatWasLeftOut) {
+  Rng rng(4);
+  ChangingWorld ground(surroundings(court_of_crates(rng)), {-20, 0});
+  ChangingSiteTable changing(in_world(ground.world()), docks, drivers_options(), coarse);
+  const Pose pose{-15, 5, 0};
+  const std::size_t second[] = {1};
+  ground.patch({.added = {{7, box(-12, -9, -9, -7)}}});
+  const auto never = [] { return false; };
+  ASSERT_TRUE(changing.repair(in_world(ground.world()), second, never));
+  EXPECT_TRUE(std::isinf(changing.table().cost(pose, 0)));
+  EXPECT_FALSE(std::isinf(changing.table().cost(pose, 1)));
+  const std::size_t first[] = {0};
+  ASSERT_TRUE(changing.repair(in_world(ground.world()), first, never));
+  EXPECT_TRUE(expect_as_anew(changing, in_world(ground.world()), drivers_options()));
+  const std::size_t none[] = {2};
+  EXPECT_EQ(refusal([&] { (void)changing.repair(in_world(ground.world()), none, never); }),
+            "goals: expected numbers of goals of the table");
+}
+
+TEST(ChangingSiteTable, StaysWhileItsRepairIsCutShort) {
+  Rng rng(4);
+  ChangingWorld ground(surroundings(court_of_crates(rng)), {-20, 0});
+  ChangingSiteTable changing(in_world(ground.world()), docks, drivers_options(), coarse);
+  const std::string before(site_table_to_bytes(changing.table()));
+  ground.patch({.added = {{7, box(-12, -9, -9, -7)}}});
+  const std::size_t goals[] = {0, 1};
+  EXPECT_FALSE(changing.repair(in_world(ground.world()), goals, [] { return true; }));
+  EXPECT_EQ(site_table_to_bytes(changing.table()), before);
+}
+
+TEST(ChangingSiteTable, IsRepairedForAScenarioWhereverItsStartIs) {
+  Rng rng(4);
+  Scenario scenario = court_of_crates(rng);
+  ChangingSiteTable changing(make_problem(scenario), docks, drivers_options(), coarse);
+  EXPECT_EQ(changing.origin(), (Point{-20, 0}));
+  const Scenario before = scenario;
+  scenario.obstacles.push_back(box(-12, -9, -9, -7));
+  const Problem problem = make_problem(scenario);
+  scenario.start = {10, 15, 1};
+  changing.repair(scenario);
+  EXPECT_EQ(changing.origin(), (Point{-20, 0}));
+  EXPECT_TRUE(expect_as_anew(changing, problem, drivers_options()));
+}
+
 TEST(ChangingSiteTable, IsAsMadeAnewWhenCellsOfAMapChange) {
   for_each_case(2, 6, [&](Rng& rng) {
     Scenario scenario = court_of_crates(rng);
@@ -209,6 +282,12 @@ TEST(ChangingSiteTable, RefusesAnotherVehicleAndWhatMoves) {
   Scenario wider = scenario;
   wider.vehicle.width += 0.1;
   EXPECT_EQ(refusal([&] { changing.repair(make_problem(wider)); }).substr(0, 8), "problem:");
+  Scenario faster = scenario;
+  faster.vehicle.limits.max_speed.forward = 7;
+  EXPECT_EQ(refusal([&] { changing.repair(make_problem(faster)); }), "no refusal");
+  Scenario busy = scenario;
+  busy.moving = {{box(-1, -1, 1, 1), {{0, {-20, 20, 0}}, {5, {-15, 20, 0}}}}};
+  EXPECT_EQ(refusal([&] { changing.repair(busy); }).substr(0, 8), "problem:");
 }
 
 }  // namespace
