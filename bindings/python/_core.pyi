@@ -704,6 +704,8 @@ class ReplanAnswer:
     def is_safe(self) -> bool: ...
     @property
     def reason(self) -> str: ...
+    @property
+    def without_site(self) -> str: ...
     def action_at(self, t: float) -> dict[str, float]: ...
     def __bool__(self) -> bool: ...
 
@@ -717,6 +719,7 @@ class Replanner:
         committed: float = 1.0,
         better: float = 0.1,
         reserve: float = 0.1,
+        site: ChangingSiteTable | None = None,
         time_limit: float | None = None,
         max_iterations: int | None = None,
         seed: int = 1,
@@ -991,6 +994,7 @@ def drive_live(
     better: float = 0.1,
     tick_iterations: int = 100,
     tick_states: int = 2000,
+    site: ChangingSiteTable | None = None,
     action_rate: float = 0.0,
     on_action: Callable[[dict[str, float]], object] | None = None,
     seed: int = 1,

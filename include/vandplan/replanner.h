@@ -31,6 +31,8 @@
 
 namespace vandplan {
 
+class ChangingSiteTable;
+
 namespace replanning {
 class KnownGround;
 }
@@ -100,9 +102,14 @@ class ChangingWorld {
 
 /// Options of replanning.
 struct ReplanOptions {
-  /// Options of the paths. The budget is that of the first plan; without one it has 20 000
-  /// iterations.
+  /// Options of the paths, without a `site`. The budget is that of the first plan; without one it
+  /// has 20 000 iterations.
   PlanOptions plan = {};
+  /// Table of the site (site_table.h) that all plans begin with, for this vehicle and these prices.
+  /// A tick after a patch first repairs the ways to its goal, some 0.05 s of work, or goes on with
+  /// that for at most half of its time limit. None: no plan knows the site. Replanners may share a
+  /// table; it is not for several threads at once.
+  std::shared_ptr<ChangingSiteTable> site = {};
   std::int64_t tick_iterations = 100;  ///< iterations of each later look for a better way; >= 0
   /// States of each search for speeds among moving obstacles; >= 1.
   std::int64_t tick_states = 2'000;
@@ -147,6 +154,9 @@ struct ReplanAnswer {
   bool is_safe = false;
   /// Reason why the drive is not safe or does not reach the goal; otherwise empty.
   std::string reason = {};
+  /// Reason why this tick left the table of the site aside: it lacks the goal, or could not be
+  /// repaired in time. Empty if plans had the table, or there is none.
+  std::string without_site = {};
 };
 
 /// Limit of the time of one tick. Answers of ticks without a limit repeat bit for bit.
@@ -189,7 +199,7 @@ class Replanner {
  public:
   /// Begins with a scenario, whose moving obstacles are known from the start. Throws InputError
   /// naming the key of the scenario or the option that is wrong. It names "vehicle.max_jerk" if the
-  /// vehicle has one, which is not honoured.
+  /// vehicle has one, which is not honoured, and "site" for a table of another vehicle or prices.
   explicit Replanner(const Scenario& scenario, const ReplanOptions& options = {});
   ~Replanner();
   Replanner(Replanner&&) noexcept;

@@ -90,9 +90,10 @@ class InTimeRun {
     if (options.budget.time_limit) {
       *options.budget.time_limit = std::max(*options.budget.time_limit - budget_.elapsed(), 0.0);
     }
-    const auto search_to = [sources = given.sources](const Task& to, const PlanOptions& round,
-                                                     const Path* known) {
-      return anytime::drive_search(to, round, time_price, {.known = known, .sources = sources});
+    const auto search_to = [site = options_.site.get(), sources = given.sources](
+                               const Task& to, const PlanOptions& round, const Path* known) {
+      return anytime::drive_search(to, round, time_price,
+                                   {.known = known, .site = site, .sources = sources});
     };
     return planning::search_with_line(task, options, time_price, given.known, {}, search_to);
   }

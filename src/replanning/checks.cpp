@@ -26,7 +26,9 @@ void check_options(const ReplanOptions& options) {
   base::require(options.reserve >= 0.01 && options.reserve <= 0.5, "reserve", options.reserve,
                 "0.01 to 0.5");
   if (options.plan.site) {
-    throw InputError("site", "expected none: planning anew knows no tables of sites");
+    throw InputError("site",
+                     "is a table that no patch changes, expected a ChangingSiteTable in "
+                     "ReplanOptions::site");
   }
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -19,6 +20,7 @@
 #include "replanning/deviation.h"
 #include "replanning/judging.h"
 #include "replanning/known_ground.h"
+#include "replanning/known_site.h"
 #include "replanning/ways.h"
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
@@ -35,6 +37,7 @@ constexpr double calm_share = 0.3;        // factor of `tick_iterations` if the 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr std::array looks = {Look::new_times, Look::from_stop, Look::without_stop, Look::around};
 constexpr double left_for_judge = 0.01;  // part of a time limit that is kept from looks [s]
+constexpr double most_for_site = 0.5;    // share of a time limit for the repair of a table
 constexpr double still = 0.05;           // largest measured speed of a vehicle that stands [m/s]
 
 /// Checks that the current drive has passed; they hold for the rest of it.
@@ -60,10 +63,14 @@ class Replanner::Impl {
     moving_ = task.moving;
     scene_.via = via_ = task.via;
     take_goal();
-    (void)complete(default_planner(), options_.plan, task.vehicle);
+    const PlanOptions all = complete(default_planner(), options_.plan, task.vehicle);
+    if (options.site) site_.emplace(options.site, scenario, all);
   }
 
-  void patch(const WorldPatch& patch) { ground_.patch(patch); }
+  void patch(const WorldPatch& patch) {
+    ground_.patch(patch);
+    if (site_) site_->patch(patch);
+  }
 
   void set_moving(std::span<const MovingObstacle> moving) {
     std::vector<MovingObstacle> local = problem::local_moving(moving, ground_.origin());
@@ -101,6 +108,7 @@ class Replanner::Impl {
     if (answer_.drive) scene_.via = via_behind(scene_, via_, begin_of_drive(), driven_until(t));
     has_news_ = !judged_.all();
     ground_version_ = ground_.version();
+    if (site_) take_site(limit);
     if (!answer_.drive) {
       begin(t);
     } else {
@@ -109,6 +117,7 @@ class Replanner::Impl {
     const bool is_over = t >= answer_.begin + answer_.drive->speeds.duration;
     const bool stands = state == nullptr || std::abs(state->v) <= still;
     out_.has_arrived = answer_.reaches_goal && is_over && stands;
+    if (site_) out_.without_site = site_->reason();
   }
 
   [[nodiscard]] const ReplanAnswer& answer() const noexcept { return out_; }
@@ -131,6 +140,14 @@ class Replanner::Impl {
     scene_.goal_curvature = task.curvatures.goal;
     scene_.goal_hitch_angle = task.hitch_angles.goal;
     scene_.goal_set = task.goal_set;
+  }
+
+  /// Gives the plans of this tick the table of the site, repaired, if there is time.
+  void take_site(const TickLimit& limit) {
+    std::optional<double> time = limit.time_limit;
+    if (time) *time *= most_for_site;
+    const Deadline end(time, limit.stop, options_.plan.budget);
+    options_.plan.site = site_->to_goals_of(problem_, !scene_.via.empty(), ground_, end);
   }
 
   [[nodiscard]] WorkLimit limit(std::int64_t iterations) const {
@@ -373,6 +390,7 @@ class Replanner::Impl {
   ReplanOptions options_;
   Problem problem_;
   KnownGround ground_;
+  std::optional<KnownSite> site_;  // table that `options_.plan.site` is of
   Scene scene_;
   Judging judging_{scene_, options_.plan.clearance};
   std::vector<MovingObstacle> moving_;  // moving obstacles, with times of the clock

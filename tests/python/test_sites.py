@@ -2,6 +2,7 @@
 # Copyright (c) 2026, the Vändplan authors
 """Tables of a site in Python."""
 
+import concurrent.futures
 import pickle
 
 import numpy as np
@@ -89,3 +90,47 @@ def test_a_table_is_repaired_where_obstacles_come_and_go(yard):
     assert vp.plan(parked, site=changing.table, max_iterations=50)
     changing.repair(yard)
     assert changing.table.cost((10, -3, 0)) == before.cost((10, -3, 0))
+
+
+def test_a_replanner_repairs_its_table_where_a_truck_parks(yard):
+    site = vp.ChangingSiteTable(yard.with_poses(start=(4.6, -7.2, 1)), [(0, 12, 0), (-10, -5, 1)], **COARSE)
+    before = site.table
+    replanner = vp.Replanner(yard, site=site, max_iterations=50, tick_iterations=5)
+    answer = replanner.tick(0.0)
+    assert answer.reaches_goal and answer.without_site == ""
+    replanner.patch(added={7: [(8, -4), (12, -4), (12, -1), (8, -1)]})
+    assert replanner.tick(0.1).is_safe
+    assert np.isinf(site.table.cost((10, -3, 0))) and np.isfinite(before.cost((10, -3, 0)))
+    replanner.set_goal((0, 15, 0))
+    answer = pickle.loads(pickle.dumps(replanner.tick(0.2)))
+    assert answer.without_site == "the table of the site has no such goal"
+    site.repair(yard)
+    assert site.table.cost((10, -3, 0)) == before.cost((10, -3, 0))
+
+
+def test_a_replanner_takes_a_table_that_can_be_repaired(yard, table):
+    with pytest.raises(vp.InputError, match="site: expected a ChangingSiteTable"):
+        vp.Replanner(yard, site=table)
+    site = vp.ChangingSiteTable(yard, **COARSE)
+    with pytest.raises(vp.InputError, match="site: the table was made for other options"):
+        vp.Replanner(yard, site=site, reverse_weight=3)
+    run = vp.drive_live(yard, site=site, max_iterations=50, tick_iterations=10, longest=200)
+    assert run.has_arrived and not run.contact
+
+
+def test_threads_take_turns_with_a_table(yard):
+    site = vp.ChangingSiteTable(yard, **COARSE)
+    replanner = vp.Replanner(yard, site=site, max_iterations=50)
+
+    def attempt(work, given):
+        try:
+            return bool(work(given))
+        except vp.InputError as error:
+            assert "is at work in another thread" in str(error)
+            return False
+
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        ticks = [pool.submit(attempt, replanner.tick, 0.0) for _ in range(20)]
+        repairs = [pool.submit(attempt, site.repair, yard) for _ in range(20)]
+        assert [work.result() for work in ticks + repairs].count(True) <= 20
+    assert replanner.tick(0.0) and site.table.cost((0, 12, 0)) == 0.0

@@ -52,7 +52,7 @@ LiveRun driven_live(const CheckedScenario& scenario, const py::kwargs& keywords)
   take(rest, "longest", options.longest);
   take(rest, "action_rate", options.action_rate);
   take(rest, "on_action", on_action);
-  take_replan_options(rest, options.replan);
+  const std::shared_ptr<SharedSiteTable> site = take_replan_options(rest, options.replan);
   take_drive_options(rest, options.drive);
   options.drive.reserve = options.replan.reserve;
   if (is_short_sighted) options.sensor_range = range;
@@ -64,6 +64,8 @@ LiveRun driven_live(const CheckedScenario& scenario, const py::kwargs& keywords)
     const Interruptible interruptible;
     options.replan.plan.budget.stop = interruptible.stop();
     const auto report = callback_of(on_action);
+    std::optional<Alone::Busy> busy;
+    if (site) busy.emplace(site->alone);
     const Scenario& s = scenario.scenario();
     const py::gil_scoped_release release;
     static_cast<LiveDriveResult&>(run) = drive_live(s, options, report);
@@ -123,8 +125,8 @@ void bind_live(py::module_& module) {
       "drive_live", &driven_live, "scenario"_a,
       R"(drive_live(scenario, *, period=0.1, sensor_range=None, prediction="known", horizon=6.0,
     longest=600.0, controller="", noise=0.0, delay=0.0, spare_steering=0.0, reserve=0.1, committed=1.0,
-    better=0.1, tick_iterations=100, tick_states=2000, action_rate=0.0, on_action=None, seed=1,
-    keep_log=False, time_limit=None, max_iterations=None, **options) -> LiveDriveResult
+    better=0.1, tick_iterations=100, tick_states=2000, site=None, action_rate=0.0, on_action=None,
+    seed=1, keep_log=False, time_limit=None, max_iterations=None, **options) -> LiveDriveResult
 
 Drives to the goal in a closed loop of replanning, controller and simulated vehicle.
 

@@ -21,12 +21,21 @@ namespace vandplan::python {
 
 using namespace py::literals;
 
-void take_replan_options(py::dict& keywords, ReplanOptions& options) {
+std::shared_ptr<SharedSiteTable> take_replan_options(py::dict& keywords, ReplanOptions& options) {
   take(keywords, "tick_iterations", options.tick_iterations);
   take(keywords, "tick_states", options.tick_states);
   take(keywords, "committed", options.committed);
   take(keywords, "better", options.better);
   take(keywords, "reserve", options.reserve);
+  py::object site = py::none();
+  take(keywords, "site", site);
+  if (site.is_none()) return nullptr;
+  if (!py::isinstance<SharedSiteTable>(site)) {
+    throw InputError("site", "expected a ChangingSiteTable, which can be repaired");
+  }
+  const auto shared = site.cast<std::shared_ptr<SharedSiteTable>>();
+  options.site = {shared, &shared->table};
+  return shared;
 }
 
 PlanOptions replanned_options(py::dict& keywords, const CheckedScenario& scenario) {
@@ -85,7 +94,7 @@ py::tuple answer_state(const Answered& self) {
   const ReplanAnswer& a = self.answer;
   return py::make_tuple(name_of(a.outcome), a.begin, answered_drive(self), a.start_speed,
                         a.reaches_goal, a.is_safe, a.reason, self.vehicle, a.has_arrived,
-                        a.start_hitch_angle);
+                        a.start_hitch_angle, a.without_site);
 }
 
 Answered answer_from_state(const py::tuple& state) {
@@ -96,7 +105,8 @@ Answered answer_from_state(const py::tuple& state) {
                  .reaches_goal = state[4].cast<bool>(),
                  .has_arrived = state[8].cast<bool>(),
                  .is_safe = state[5].cast<bool>(),
-                 .reason = state[6].cast<std::string>()},
+                 .reason = state[6].cast<std::string>(),
+                 .without_site = state[10].cast<std::string>()},
                 state[7].cast<Vehicle>()};
   if (!state[2].is_none()) {
     self.answer.drive =
@@ -137,6 +147,9 @@ later.)");
   property(
       "reason", [](const ReplanAnswer& a) { return a.reason; },
       "Why the drive is not safe, or does not reach the goal; otherwise empty.");
+  property(
+      "without_site", [](const ReplanAnswer& a) { return a.without_site; },
+      "Why this tick left the table of the site aside; otherwise empty.");
   answer
       .def_property_readonly(
           "drive", &answered_drive,
@@ -155,24 +168,19 @@ Command at a time of the replanner's clock [s]: t, steering_angle [rad], v [m/s]
 
 // ---- the replanner ----
 
-/// Replanner that only one thread at a time may call.
+/// Replanner that only one thread at a time may call, and its table of the site with it.
 struct OwnReplanner {
   Vehicle vehicle;
   Replanner replanner;
-  bool is_busy = false;  // Guarded by Python's lock.
+  std::shared_ptr<SharedSiteTable> site;
+  Alone itself = Alone("replanner");
 
   /// Runs `work` without Python's lock. Throws InputError if another thread is at work.
   template <typename Work>
   void alone(Work work) {
-    if (is_busy) throw InputError("replanner", "is at work in another thread");
-    struct Busy {
-      bool& flag;
-      explicit Busy(bool& f) : flag(f) { flag = true; }
-      ~Busy() { flag = false; }
-    };
-    const Busy busy(is_busy);
-    const py::gil_scoped_release release;
-    work();
+    std::optional<Alone::Busy> busy;
+    if (site) busy.emplace(site->alone);
+    itself.run(work);
   }
 };
 
@@ -180,11 +188,13 @@ std::shared_ptr<OwnReplanner> made_replanner(const CheckedScenario& scenario,
                                              const py::kwargs& keywords) {
   ReplanOptions options;
   py::dict rest(keywords);
-  take_replan_options(rest, options);
+  const std::shared_ptr<SharedSiteTable> site = take_replan_options(rest, options);
   options.plan = replanned_options(rest, scenario);
   const Scenario& s = scenario.scenario();
+  std::optional<Alone::Busy> busy;
+  if (site) busy.emplace(site->alone);
   const py::gil_scoped_release release;
-  return std::make_shared<OwnReplanner>(OwnReplanner{s.vehicle, Replanner(s, options)});
+  return std::make_shared<OwnReplanner>(OwnReplanner{s.vehicle, Replanner(s, options), site});
 }
 
 /// Rectangle of cells from a tuple (row, column, cells).
@@ -259,7 +269,7 @@ void bind_replanner(py::module_& module) {
   py::class_<OwnReplanner, std::shared_ptr<OwnReplanner>>(
       module, "Replanner",
       R"(Replanner(scenario, *, tick_iterations=100, tick_states=2000, committed=1.0, better=0.1,
-    reserve=0.1, time_limit=None, max_iterations=None, seed=1, **options)
+    reserve=0.1, site=None, time_limit=None, max_iterations=None, seed=1, **options)
 
 Replanner for one vehicle on its way to one goal, in a changing world.
 
@@ -270,6 +280,7 @@ for bit, unless a tick has a time limit. `options` are those of `plan`.
 - `committed`: time for which a drive stays unchanged if possible [s].
 - `better`: share by which a new way must be cheaper, 0 to 1.
 - `reserve`: share of the limits left for corrections, 0.01 to 0.5.
+- `site`: a `ChangingSiteTable`. Plans begin with its ways, and ticks repair it after patches.
 - `time_limit` [s], `max_iterations`: budget of the first plan.)")
       .def(py::init(&made_replanner), "scenario"_a)
       .def("tick", &tick, "t"_a, "pose"_a = py::none(), py::kw_only(), "v"_a = 0.0,
@@ -311,7 +322,7 @@ InputError, and the old one stays.)")
       .def_property_readonly(
           "answer",
           [](const OwnReplanner& self) {
-            if (self.is_busy) throw InputError("replanner", "is at work in another thread");
+            self.itself.expect();
             return Answered{self.replanner.answer(), self.vehicle};
           },
           "The last `ReplanAnswer`.");

@@ -5,13 +5,17 @@
 
 #include <pybind11/pybind11.h>
 
+#include <memory>
+
 #include "bindings/python/core/scenario.h"
+#include "bindings/python/core/site.h"
 #include "vandplan/replanner.h"
 
 namespace vandplan::python {
 
-/// Moves the keywords of replanning from `keywords` to `options`.
-void take_replan_options(pybind11::dict& keywords, ReplanOptions& options);
+/// Moves the keywords of replanning from `keywords` to `options`. Returns the table of the site.
+std::shared_ptr<SharedSiteTable> take_replan_options(pybind11::dict& keywords,
+                                                     ReplanOptions& options);
 
 /// Options of the plans; all keywords left over are options of the default planner.
 [[nodiscard]] PlanOptions replanned_options(pybind11::dict& keywords,

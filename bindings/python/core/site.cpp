@@ -15,6 +15,7 @@
 #include "bindings/python/core/interrupt.h"
 #include "bindings/python/core/options.h"
 #include "bindings/python/core/scenario.h"
+#include "bindings/python/core/site.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
@@ -70,16 +71,16 @@ SiteTable make_table(const CheckedScenario& scenario, const py::object& goals, i
                   {.headings = headings, .cell = cell, .threads = jobs});
 }
 
-std::unique_ptr<ChangingSiteTable> changing_table(const CheckedScenario& scenario,
-                                                  const py::object& goals, int headings,
-                                                  double cell, int jobs,
-                                                  const py::kwargs& keywords) {
+std::shared_ptr<SharedSiteTable> changing_table(const CheckedScenario& scenario,
+                                                const py::object& goals, int headings, double cell,
+                                                int jobs, const py::kwargs& keywords) {
   const Problem& problem = scenario.problem();
   const std::vector<Pose> poses = goals_of(problem, goals);
   const PlanOptions options = site_options(scenario, keywords);
   const py::gil_scoped_release release;
   const SiteTableOptions wanted{.headings = headings, .cell = cell, .threads = jobs};
-  return std::make_unique<ChangingSiteTable>(problem, poses, options, wanted);
+  return std::make_shared<SharedSiteTable>(
+      SharedSiteTable{ChangingSiteTable(problem, poses, options, wanted)});
 }
 
 py::object cost_of(const SiteTable& self, const py::object& given, std::size_t goal) {
@@ -165,7 +166,7 @@ The options are those of `plan`. Raises InputError if the table was made for som
 }
 
 void bind_changing_table(py::module_& module) {
-  py::class_<ChangingSiteTable>(
+  py::class_<SharedSiteTable, std::shared_ptr<SharedSiteTable>>(
       module, "ChangingSiteTable",
       R"(ChangingSiteTable(scenario, goals=None, *, headings=36, cell=0.12, jobs=1, **options)
 
@@ -175,23 +176,30 @@ A table of a site that is repaired where the site changes.
     docks.repair(yard_with_a_parked_truck)
     plan(yard_with_a_parked_truck, site=docks.table)
 
+`Replanner(scenario, site=docks)` repairs it where its patches change the ground.
+
 The arguments are those of `site_table`. It keeps some 15 MB for each goal.)")
       .def(py::init(&changing_table), "scenario"_a, "goals"_a = py::none(), py::kw_only(),
            "headings"_a = SiteTableOptions{}.headings, "cell"_a = SiteTableOptions{}.cell,
            "jobs"_a = 1)
       .def(
           "repair",
-          [](ChangingSiteTable& self, const CheckedScenario& scenario) {
-            self.repair(scenario.problem());
+          [](SharedSiteTable& self, const CheckedScenario& scenario) {
+            self.alone.run([&] { self.table.repair(scenario.scenario()); });
           },
           "scenario"_a, R"(repair(scenario)
 
-Makes the table that of a scenario with the same vehicle and other obstacles, cells or zones.
+Makes the table that of a scenario with the same vehicle and other obstacles, cells or zones. Its
+start does not matter.
 
 The result is the table that `site_table` makes, except that the table keeps its box. A goal that is
 not free has no ways until it is free again.)")
       .def_property_readonly(
-          "table", [](const ChangingSiteTable& self) { return self.table(); },
+          "table",
+          [](const SharedSiteTable& self) {
+            self.alone.expect();
+            return self.table.table();
+          },
           "The table now, a `SiteTable`. A repair does not change it.");
 }
 
