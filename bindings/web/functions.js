@@ -61,8 +61,39 @@ class Yard {
     return taken(this.#core.siteTableIn(this.#number, withVehicle(query), onProgress));
   }
 
+  changingSiteTable(query = {}, onProgress) {
+    return new ChangingSiteTable(this.#core, this.#number, query, onProgress);
+  }
+
   close() {
     this.#core.closeYard(this.#number);
+  }
+}
+
+/** Table of a site that is repaired where the site changes. `close` frees its memory. */
+class ChangingSiteTable {
+  #core;
+  #number;
+  #site;
+
+  constructor(core, yardNumber, query, onProgress) {
+    this.#core = core;
+    this.#number = taken(core.openSiteIn(yardNumber, withVehicle(query), onProgress));
+  }
+
+  get site() {
+    this.#site ??= taken(this.#core.changedSite(this.#number));
+    return this.#site;
+  }
+
+  repair(scenario) {
+    taken(this.#core.repairSite(this.#number, withVehicle(scenario)));
+    this.#site = undefined;
+  }
+
+  close() {
+    this.#core.closeSite(this.#number);
+    this.#site = undefined;
   }
 }
 
@@ -84,6 +115,7 @@ export function functionsOf(core) {
     yard: (scenario) => new Yard(core, scenario),
     plan: (scenario, {planner, ...options} = {}) => inYard(scenario, (yard) => yard.plan({planner, options})),
     siteTable: (scenario, query, onProgress) => inYard(scenario, (yard) => yard.siteTable(query, onProgress)),
+    changingSiteTable: (scenario, query, onProgress) => inYard(scenario, (yard) => yard.changingSiteTable(query, onProgress)),
     siteInfo: (site) => taken(core.siteInfo(site)),
     siteCosts: (site, poses, goal = 0) => taken(core.siteCosts(site, poses, goal)),
     check: (scenario, path, claims = {}) => inYard(scenario, (yard) => yard.check({path, ...claims})),

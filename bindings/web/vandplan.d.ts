@@ -436,7 +436,22 @@ export interface Yard {
   isFree(query: {pose: EndPose; vehicle?: Vehicle | string; margin?: number}): boolean;
   /** Makes a table of the site, as `siteTable` of the module. */
   siteTable(query?: SiteQuery & {vehicle?: Vehicle | string}, onProgress?: (goals: number) => void): Uint8Array;
+  /** Makes a table of the site that can be repaired, as `changingSiteTable` of the module. It outlives the yard. */
+  changingSiteTable(query?: SiteQuery & {vehicle?: Vehicle | string}, onProgress?: (goals: number) => void): ChangingSiteTable;
   /** Frees the memory of the world. Later queries throw InputError. */
+  close(): void;
+}
+
+/** Table of a site that is repaired where the site changes, not made anew. */
+export interface ChangingSiteTable {
+  /** Bytes of the table now, as `siteTable` makes them. After a repair there are others; the old ones stay as they are. */
+  readonly site: Uint8Array;
+  /**
+   * Makes the table that of a scenario with the same vehicle and other obstacles, cells or zones. Its start does not
+   * matter. The table keeps its box; a goal that is not free has no ways until it is free again.
+   */
+  repair(scenario: Scenario): void;
+  /** Frees the table's memory, some 15 MB for each goal. Later calls throw InputError. */
   close(): void;
 }
 
@@ -461,6 +476,8 @@ export interface Vandplan {
    * those of a file (.vst). Without trailers and moving obstacles. `onProgress` gets the number of goals that are done.
    */
   siteTable(scenario: Scenario, query?: SiteQuery, onProgress?: (goals: number) => void): Uint8Array;
+  /** Makes a table as `siteTable` does, and keeps what is needed to repair it. */
+  changingSiteTable(scenario: Scenario, query?: SiteQuery, onProgress?: (goals: number) => void): ChangingSiteTable;
   /** Goals and cells of a table of a site. */
   siteInfo(site: Uint8Array): SiteInfo;
   /**

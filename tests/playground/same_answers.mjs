@@ -204,6 +204,25 @@ expect((await leftAlone) === 'AbortError', 'a table can be called off');
 isTable(await worker.siteTable(siteYard), site, 'a table after one that was called off');
 worker.close();
 
+// A table is repaired where a truck parks and leaves again: the bytes of tables that are made anew, whatever the start.
+const stands = [[8, -4], [12, -4], [12, -1], [8, -1]];
+const busyYard = {...siteYard, obstacles: [...siteYard.obstacles, stands]};
+const toldByIt = [];
+const changing = vandplan.changingSiteTable(siteYard, query, (goals) => toldByIt.push(goals));
+expect(toldByIt.join() === '1,2', `a table that changes tells of each goal: ${toldByIt}`);
+const beforeTruck = changing.site;
+isTable(beforeTruck, toDocks, 'a table before its first repair');
+changing.repair({...busyYard, start: {x: 30.4, y: -20, heading: 1}});
+isTable(changing.site, Buffer.from(vandplan.siteTable(busyYard, query)), 'a table where a truck has parked');
+isTable(beforeTruck, toDocks, 'the bytes before a repair');
+expect(vandplan.plan(busyYard, {...withSite, margin: 0.4, reverse_weight: 3, site: changing.site}).anytime[0].iteration === 0, 'a plan begins with the way of a repaired table');
+changing.repair(siteYard);
+isTable(changing.site, toDocks, 'a table where the truck has left');
+refuses('problem', () => changing.repair({...siteYard, vehicle: 'van'}));
+changing.close();
+refuses('changingSiteTable', () => changing.site);
+refuses('changingSiteTable', () => changing.repair(siteYard));
+
 // What a table says of poses: with a heading, and with the best one.
 const info = vandplan.siteInfo(toDocks);
 expect(JSON.stringify(info.goals) === JSON.stringify(docks) && info.headings === 24 && Math.abs(info.cell - 0.2 * vehicleOf('two-axle-truck').min_turning_radius) < 1e-9, `a table holds ${JSON.stringify(info)}`);

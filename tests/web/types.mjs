@@ -33,6 +33,12 @@ async function main(): Promise<number> {
   vandplan.plan({...scenario, masks}, {site: new Uint8Array(1)});
   const site = await startWorker().siteTable(scenario, {goals: [scenario.start], options: {margin: 0.2}}, {onProgress: (goals) => goals.toFixed()});
   const [cost] = vandplan.siteCosts(site, {x: [0], y: new Float32Array(1)}, vandplan.siteInfo(vandplan.yard(scenario).siteTable({cell: 0.2})).goals.length);
+  const docks: ChangingSiteTable = vandplan.changingSiteTable(scenario, {headings: 24}, (goals) => goals.toFixed());
+  docks.repair(scenario);
+  vandplan.plan(scenario, {site: docks.site});
+  // @ts-expect-error
+  docks.site = site;
+  docks.close();
   // @ts-expect-error
   vandplan.siteTable(scenario, {margin: 0.2});
   if (result.path) vandplan.drive(result.path, scenario).subarray(vandplan.drive(result.path, 'van', 0.1).length);
@@ -42,7 +48,7 @@ async function main(): Promise<number> {
 }
 main();
 `;
-const imports = `import {InputError, load, type Mask, type Result, type Scenario} from 'vandplan';\nimport {startWorker} from 'vandplan/worker';`;
+const imports = `import {InputError, load, type ChangingSiteTable, type Mask, type Result, type Scenario} from 'vandplan';\nimport {startWorker} from 'vandplan/worker';`;
 writeFileSync('imports.mts', program(imports));
 writeFileSync('requires.cts', program(imports));
 const {ModuleKind, ModuleResolutionKind, ScriptTarget} = ts;

@@ -37,52 +37,90 @@ val guarded(Work work) {
   }
 }
 
+/// Objects that JavaScript knows by their numbers, until it closes them.
+template <typename Kept>
+class Opened {
+ public:
+  /// `name` stands in errors.
+  explicit Opened(const char* name) : name_(name) {}
+
+  /// Keeps an object and returns its number.
+  val open(std::unique_ptr<Kept> object) {
+    const auto free = std::ranges::find(objects_, nullptr);
+    const auto number = free - objects_.begin();
+    if (free == objects_.end()) objects_.emplace_back();
+    objects_[static_cast<std::size_t>(number)] = std::move(object);
+    return val(static_cast<double>(number));
+  }
+
+  Kept& at(std::size_t number) {
+    if (number >= objects_.size() || !objects_[number]) throw InputError(name_, "is closed");
+    return *objects_[number];
+  }
+
+  void close(std::size_t number) {
+    if (number < objects_.size()) objects_[number].reset();
+  }
+
+ private:
+  const char* name_;
+  std::vector<std::unique_ptr<Kept>> objects_;
+};
+
 // ---- planning ----
 
-std::vector<std::unique_ptr<Yard>> yards;
+Opened<Yard> yards("yard");
 
-/// Builds a yard and returns its number.
 val open_yard(const val& scenario) {
-  return guarded([&] {
-    auto yard = std::make_unique<Yard>(scenario);
-    const auto free = std::ranges::find(yards, nullptr);
-    const auto number = free - yards.begin();
-    if (free == yards.end()) yards.emplace_back();
-    yards[static_cast<std::size_t>(number)] = std::move(yard);
-    return val(static_cast<double>(number));
-  });
+  return guarded([&] { return yards.open(std::make_unique<Yard>(scenario)); });
 }
 
-Yard& yard_at(std::size_t number) {
-  if (number >= yards.size() || !yards[number]) throw InputError("yard", "is closed");
-  return *yards[number];
-}
-
-void close_yard(std::size_t number) {
-  if (number < yards.size()) yards[number].reset();
-}
+void close_yard(std::size_t number) { yards.close(number); }
 
 val plan_in(std::size_t yard, const val& query) {
-  return guarded([&] { return yard_at(yard).plan(query); });
+  return guarded([&] { return yards.at(yard).plan(query); });
 }
 
 val check_in(std::size_t yard, const val& query) {
-  return guarded([&] { return yard_at(yard).check(query); });
+  return guarded([&] { return yards.at(yard).check(query); });
 }
 
 val drive_in(std::size_t yard, const val& query) {
-  return guarded([&] { return yard_at(yard).drive(query); });
+  return guarded([&] { return yards.at(yard).drive(query); });
 }
 
 val is_free_in(std::size_t yard, const val& query) {
-  return guarded([&] { return yard_at(yard).is_free(query); });
+  return guarded([&] { return yards.at(yard).is_free(query); });
 }
 
 val site_table_in(std::size_t yard, const val& query, const val& progress) {
-  return guarded([&] { return yard_at(yard).site_table(query, progress); });
+  return guarded([&] { return yards.at(yard).site_table(query, progress); });
 }
 
 // ---- tables of a site ----
+
+Opened<ChangingSiteTable> changing_sites("changingSiteTable");
+
+val open_site_in(std::size_t yard, const val& query, const val& progress) {
+  return guarded([&] {
+    return changing_sites.open(
+        std::make_unique<ChangingSiteTable>(yards.at(yard).changing_site_table(query, progress)));
+  });
+}
+
+void close_site(std::size_t number) { changing_sites.close(number); }
+
+val repair_site(std::size_t number, const val& scenario) {
+  return guarded([&] {
+    changing_sites.at(number).repair(scenario_from(scenario));
+    return val::null();
+  });
+}
+
+/// Bytes of the table now.
+val changed_site(std::size_t number) {
+  return guarded([&] { return bytes_of(changing_sites.at(number).table()); });
+}
 
 /// The table with these bytes; the last one is kept.
 std::shared_ptr<const SiteTable> site_from(const val& bytes) {
@@ -291,6 +329,10 @@ EMSCRIPTEN_BINDINGS(vandplan) {
   function("driveIn", &drive_in);
   function("isFreeIn", &is_free_in);
   function("siteTableIn", &site_table_in);
+  function("openSiteIn", &open_site_in);
+  function("closeSite", &close_site);
+  function("repairSite", &repair_site);
+  function("changedSite", &changed_site);
   function("siteInfo", &site_info);
   function("siteCosts", &site_costs);
   function("sampledPath", &sampled_path);

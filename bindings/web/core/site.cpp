@@ -81,15 +81,14 @@ std::shared_ptr<const SiteTable> SiteReader::read(const val& given) {
   return table_;
 }
 
-SiteTable site_table_from(const val& query, const Problem& problem, const PlanOptions& options,
-                          const val& progress) {
-  SiteTableOptions table;
-  table.headings = headings_at(query, table.headings);
-  table.cell = number_at(query, "cell", "", table.cell);
+SiteWish site_wish_from(const val& query, const Problem& problem, const val& progress) {
+  SiteWish wish{.goals = goals_at(query, problem), .options = {}};
+  wish.options.headings = headings_at(query, wish.options.headings);
+  wish.options.cell = number_at(query, "cell", "", wish.options.cell);
   if (!progress.isUndefined()) {
-    table.progress = [&](std::size_t goals) { progress(static_cast<double>(goals)); };
+    wish.options.progress = [&](std::size_t goals) { progress(static_cast<double>(goals)); };
   }
-  return make_site_table(problem, goals_at(query, problem), options, table).value();
+  return wish;
 }
 
 val bytes_of(const SiteTable& table) {

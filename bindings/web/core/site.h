@@ -6,6 +6,7 @@
 // In JavaScript a table is the bytes of its file, a Uint8Array, which can be sent to other threads.
 
 #include <memory>
+#include <vector>
 
 #include "bindings/web/core/values.h"
 #include "vandplan/site_table.h"
@@ -27,10 +28,16 @@ class SiteReader {
   std::shared_ptr<const SiteTable> table_ = {};
 };
 
-/// Makes a table from {goals, options, headings, cell}. Without `goals` it has the problem's goal.
-/// The options must be complete. `progress` is a function, or undefined.
-[[nodiscard]] SiteTable site_table_from(const val& query, const Problem& problem,
-                                        const PlanOptions& options, const val& progress);
+/// What is wanted of a table.
+struct SiteWish {
+  std::vector<Pose> goals;
+  SiteTableOptions options;
+};
+
+/// Wish from {goals, headings, cell}. Without `goals` the table has the problem's goal. `progress`
+/// is a function, or undefined; it is called by reference.
+[[nodiscard]] SiteWish site_wish_from(const val& query, const Problem& problem,
+                                      const val& progress);
 
 /// Copy of a table's bytes.
 [[nodiscard]] val bytes_of(const SiteTable& table);

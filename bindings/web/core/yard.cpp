@@ -33,6 +33,12 @@ PlanOptions options_from(const Planner& planner, const val& given) {
   return options;
 }
 
+/// Options of a table of the site, in force.
+PlanOptions prices_of_site(const val& query, const Problem& problem) {
+  const Planner& planner = default_planner();
+  return complete(planner, options_from(planner, query["options"]), problem.vehicle());
+}
+
 val rows_of(std::span<const Motion> motions) {
   std::vector<double> rows;
   for (const Motion& motion : motions) {
@@ -121,12 +127,21 @@ val Yard::is_free(const val& query) const {
 }
 
 val Yard::site_table(const val& query, const val& progress) const {
+  const Problem problem = site_problem_of(query);
+  const SiteWish wish = site_wish_from(query, problem, progress);
+  return bytes_of(
+      make_site_table(problem, wish.goals, prices_of_site(query, problem), wish.options).value());
+}
+
+ChangingSiteTable Yard::changing_site_table(const val& query, const val& progress) const {
+  const Problem problem = site_problem_of(query);
+  const SiteWish wish = site_wish_from(query, problem, progress);
+  return {problem, wish.goals, prices_of_site(query, problem), wish.options};
+}
+
+Problem Yard::site_problem_of(const val& query) const {
   allow_only(query, {"goals", "vehicle", "options", "headings", "cell"}, "query");
-  const Problem problem = problem_of(query);
-  const Planner& planner = default_planner();
-  const PlanOptions options =
-      complete(planner, options_from(planner, query["options"]), problem.vehicle());
-  return bytes_of(site_table_from(query, problem, options, progress));
+  return problem_of(query);
 }
 
 Problem Yard::problem_of(const val& query) const {

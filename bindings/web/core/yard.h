@@ -38,8 +38,12 @@ class Yard {
   /// with the number of goals that are done, or is undefined.
   [[nodiscard]] val site_table(const val& query, const val& progress) const;
 
+  /// Such a table, which can be repaired.
+  [[nodiscard]] ChangingSiteTable changing_site_table(const val& query, const val& progress) const;
+
  private:
   [[nodiscard]] Problem problem_of(const val& query) const;
+  [[nodiscard]] Problem site_problem_of(const val& query) const;
 
   Scenario scenario_;
   Problem problem_;
