@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "table_site.h"
 #include "vandplan/files.h"
 #include "vandplan/input_error.h"
+#include "vandplan/planner.h"
 #include "vandplan/site_table.h"
 #include "wording.h"
 
@@ -26,7 +28,8 @@ struct MatrixArguments {
   std::string scenario, starts, goals, output;
   std::optional<std::string> site;
   std::vector<TypedOption> options;
-  int jobs = 0;  // starts at once; 0: one per processor
+  std::optional<std::int64_t> iterations;  // of each plan; none: costs are those of ways
+  int jobs = 0;                            // starts at once; 0: one per processor
   bool json = false;
 };
 
@@ -36,8 +39,8 @@ std::vector<Pose> poses_in(const std::string& file) {
   return poses.poses;
 }
 
-/// Rows "start,goal,cost,lower_bound", numbered as in the files from 0. A pair without a way has no
-/// cost.
+/// Rows "start,goal,cost,lower_bound", numbered as in the files from 0. A pair without a way or
+/// plan has no cost.
 std::string csv_of(const std::vector<SiteCost>& costs, std::size_t goals) {
   std::string text = "start,goal,cost,lower_bound\n";
   for (std::size_t i = 0; i < costs.size(); ++i) {
@@ -53,13 +56,15 @@ int make(const MatrixArguments& arguments) {
   const ScenarioProblems read = read_problems(arguments.scenario);
   warn(read.file.warnings);
   const Problem& problem = read.problems.front();
-  if (problem.vehicle().trailer) {
+  if (problem.vehicle().trailer && !arguments.iterations) {
     throw InputError(arguments.scenario,
-                     "has a trailer, expected none: a table knows ways of the tractor alone");
+                     "has a trailer, and ways of a table are of the tractor alone: expected "
+                     "--max-iterations, for costs of plans");
   }
   const Planner& planner = default_planner();
-  const PlanOptions options = complete(
-      planner, options_for(planner, read.file.options, arguments.options), problem.vehicle());
+  PlanOptions options = options_for(planner, read.file.options, arguments.options);
+  options.budget.max_iterations = arguments.iterations;
+  options = complete(planner, options, problem.vehicle());
   const std::vector<Pose> starts = poses_in(arguments.starts);
   const std::vector<Pose> goals = poses_in(arguments.goals);
   const int threads = threads_of(arguments.jobs);
@@ -77,11 +82,18 @@ int make(const MatrixArguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   std::vector<SiteCost> costs;
   try {
-    costs = site_matrix(*table, problem, starts, options, threads);
+    if (arguments.iterations) {
+      options.budget.stop = stop;
+      options.site = std::make_shared<const SiteTable>(*table);
+      costs = plan_matrix(problem, starts, options, threads);
+    } else {
+      costs = site_matrix(*table, problem, starts, options, threads);
+    }
   } catch (const InputError& error) {
     if (error.where() != "site") throw;
     throw InputError(*arguments.site, error.problem());
   }
+  if (stop.stop_requested()) throw InputError("matrix", "was stopped, nothing is written");
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
   write_file(arguments.output, csv_of(costs, goals.size()));
   if (arguments.output == "-") return exit_status::done;
@@ -116,6 +128,12 @@ void add_matrix(CLI::App& vandplan, int& status) {
                    "Table with these goals, see `vandplan table site`; default: one is made")
       ->type_name("FILE");
   add_site_settings(*command, arguments->options);
+  command
+      ->add_option(
+          "--max-iterations", arguments->iterations,
+          "Costs of plans along the table's ways, N iterations each; needed with a trailer")
+      ->type_name("N")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}).description(""));
   add_jobs(*command, arguments->jobs, "Starts at once; 0: one per processor; up to 256");
   add("-o,--output", arguments->output, "Costs and lower bounds (CSV)");
   command->add_flag("--json", arguments->json, "Print JSON");

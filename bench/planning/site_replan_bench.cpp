@@ -6,8 +6,8 @@
 //   site_replan_bench [STARTS [TICK_ITERATIONS]]
 //
 // The site is that of sites_bench. From each random start the vehicle drives for 2 s; then a truck
-// stands where it would have been 8 s later, and stays. The vehicle goes on for at most 120 s. Times
-// are processor time.
+// stands where it would have been 8 s later, and stays. The vehicle goes on for at most 120 s.
+// Times are processor time.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -26,7 +26,7 @@
 namespace vandplan {
 namespace {
 
-constexpr double period = 0.1;                                 // between ticks [s]
+constexpr double period = 0.1;                                  // between ticks [s]
 constexpr double parks_at = 2.0, ahead = 8.0, longest = 120.0;  // [s]
 constexpr double away = 15.0;  // least distance of the parked truck from goal and vehicle [m]
 

@@ -869,6 +869,7 @@ def matrix(
     goals: ArrayLike | SiteTable,
     *,
     jobs: int = 1,
+    max_iterations: int | None = None,
     **options: Unpack[_Options],
 ) -> tuple[_Floats, _Floats]: ...
 def with_sources(

@@ -164,20 +164,30 @@ struct SiteWay {
 
 /// What driving from a start to a goal costs.
 struct SiteCost {
-  /// Cost of a free way of arcs and lines [m], as `SiteWay::cost`; infinite if none was found.
+  /// Cost of a free path that was found [m]; infinite if none was found.
   double cost = std::numeric_limits<double>::infinity();
-  /// Proven lower bound of the cost of every path [m]: that of open ground. It counts paths that
-  /// end exactly at the goal.
-  double lower_bound = 0.0;
+  double lower_bound = 0.0;  ///< proven lower bound of the cost of every path [m]
 };
 
 /// Costs from each start to each goal of a table, in the scenario's frame: start by start, and for
-/// each start as many as there are goals. Start and goal of the problem do not matter; the options
-/// must be complete. `threads` share the pairs, with equal results; below 1 counts as 1. Throws
-/// InputError naming "site" as `site_way` does, or "starts[2]" for a start out of range.
+/// each start as many as there are goals. They are those of ways, as `SiteWay::cost`. Lower bounds
+/// are of open ground, and count paths that end exactly at the goal. Start and goal of the problem
+/// do not matter; the options must be complete. `threads` share the pairs, with equal results;
+/// below 1 counts as 1. Throws InputError naming "site" as `site_way` does, or "starts[2]" for a
+/// start out of range.
 [[nodiscard]] std::vector<SiteCost> site_matrix(const SiteTable& table, const Problem& problem,
                                                 std::span<const Pose> starts,
                                                 const PlanOptions& options, int threads = 1);
+
+/// Costs of plans from each start to each goal of `options.site`, ordered as by `site_matrix`. Each
+/// is a plan of the default planner (planner.h) with the budget of the options, which begins with
+/// the table's way; `jobs` at a time. Lower bounds are those of the plans, 0 where nothing is
+/// proven. Trailers are straight at both ends. Start and goal of the problem do not matter. Throws
+/// InputError as `plan` does, also naming "site" without a table, or "starts[2]" for a start out of
+/// range.
+[[nodiscard]] std::vector<SiteCost> plan_matrix(const Problem& problem,
+                                                std::span<const Pose> starts,
+                                                const PlanOptions& options, int jobs = 1);
 
 // ---- How does a table become a file, and how does a file become a table? ----
 //

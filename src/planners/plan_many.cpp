@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
+#include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "base/parallel.h"
+#include "sites/site.h"
+#include "vandplan/input_error.h"
 #include "vandplan/planner.h"
+#include "vandplan/site_table.h"
 
 namespace vandplan {
 
@@ -17,6 +21,22 @@ void plan_many(std::span<const Problem> problems, const Planner& planner,
       problems.size(), jobs,
       [&](std::size_t i) { results[i] = plan(problems[i], planner, options); },
       [&](std::size_t i) { take(i, *std::exchange(results[i], std::nullopt)); });
+}
+
+std::vector<SiteCost> plan_matrix(const Problem& problem, std::span<const Pose> starts,
+                                  const PlanOptions& options, int jobs) {
+  if (!options.site) throw InputError("site", "expected a table of the site");
+  const std::vector<Pose>& goals = options.site->goals();
+  std::vector<SiteCost> costs(starts.size() * goals.size());
+  parallel_for(costs.size(), jobs, [&](std::size_t i) {
+    const std::size_t start = i / goals.size();
+    const Problem pair = sites::between(problem, starts[start], goals[i % goals.size()],
+                                        sites::place_in("starts", start));
+    const PlanResult result = plan(pair, options);
+    if (result.path) costs[i].cost = result.cost;
+    costs[i].lower_bound = result.lower_bound.value_or(0.0);
+  });
+  return costs;
 }
 
 }  // namespace vandplan

@@ -20,7 +20,8 @@ using search::Connector, search::CostRule;
 using sites::SiteData, sites::SiteGrid, sites::SiteLayer, sites::between, sites::place_in,
     sites::require;
 
-constexpr const char* no_trailer = "no trailer: a table knows ways of the tractor alone";
+constexpr const char* no_trailer =
+    "no trailer, as ways of a table are of the tractor alone: plan instead";
 constexpr std::size_t starts_of_block = 256;  // starts of a matrix that a thread takes at once
 
 }  // namespace

@@ -426,7 +426,15 @@ TEST_F(TableCommand, OfASiteGivesAMatrix) {
   write_content(scenario, rig);
   EXPECT_EQ(matrix({"--site", table}).err,
             "vandplan: " + scenario +
-                ": has a trailer, expected none: a table knows ways of the tractor alone\n");
+                ": has a trailer, and ways of a table are of the tractor alone: expected "
+                "--max-iterations, for costs of plans\n");
+  write_content(folder_ / "starts.csv", "10,15,3\n5,5.5,0\n");
+  EXPECT_EQ(matrix({"--site", table, "--max-iterations", "60"}).status, 0);
+  const std::string planned = content_of(folder_ / "m.csv");
+  EXPECT_EQ(std::count(planned.begin(), planned.end(), '\n'), 5);
+  EXPECT_NE(planned.find("\n1,0,,0\n"), std::string::npos) << planned;
+  EXPECT_EQ(planned.find("\n0,0,,"), std::string::npos) << planned;
+  EXPECT_EQ(matrix({"--site", table, "--max-iterations", "0"}).status, 2);
   write_content(scenario, yard_from("{x: 10, y: 15, heading: 3}"));
   write_content(goals, "20,-10,1\n");
   EXPECT_EQ(matrix({"--site", table}).err, "vandplan: " + goals + ": has other goals than " +

@@ -104,7 +104,7 @@ TEST(SiteRefusal, IsRefusedForMovingObstaclesAndTrailers) {
   const Problem rig = problem_of({20, 0, 0}, {0, 0, 0}, {box(9, 9, 12, 12)}, area, semitrailer());
   const SiteTable of_tractor = table_to(rig, drivers_options());
   const std::string no_trailer =
-      "site: expected no trailer: a table knows ways of the tractor alone";
+      "site: expected no trailer, as ways of a table are of the tractor alone: plan instead";
   EXPECT_EQ(refusal([&] { (void)site_way(of_tractor, rig, drivers_options()); }), no_trailer);
   EXPECT_EQ(refusal([&] {
               (void)site_matrix(of_tractor, rig, std::vector<Pose>{{20, 0, 0}}, drivers_options());

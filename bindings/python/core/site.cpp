@@ -107,8 +107,25 @@ std::optional<Path> way_of(const SiteTable& self, const CheckedScenario& scenari
 
 SiteTable read_table(const FileOfTable& file) { return read_site_table(file.string()); }
 
+/// Costs of the table's ways, or of plans with so many iterations.
+std::vector<SiteCost> costs_between(const Problem& problem, const std::vector<Pose>& starts,
+                                    const SiteTable& table, PlanOptions options, int jobs,
+                                    std::optional<std::int64_t> iterations) {
+  std::vector<SiteCost> costs;
+  {
+    const Interruptible interruptible;
+    options.budget = {.max_iterations = iterations, .stop = interruptible.stop()};
+    if (iterations) options.site = std::make_shared<const SiteTable>(table);
+    const py::gil_scoped_release release;
+    costs = iterations ? plan_matrix(problem, starts, options, jobs)
+                       : site_matrix(table, problem, starts, options, jobs);
+  }
+  raise_signals();
+  return costs;
+}
+
 py::tuple matrix(const CheckedScenario& scenario, const py::object& starts, const py::object& goals,
-                 int jobs, const py::kwargs& keywords) {
+                 int jobs, std::optional<std::int64_t> iterations, const py::kwargs& keywords) {
   const Problem& problem = scenario.problem();
   const PlanOptions options = site_options(scenario, keywords);
   const std::vector<Pose> from = list_of(starts, "starts");
@@ -116,11 +133,8 @@ py::tuple matrix(const CheckedScenario& scenario, const py::object& starts, cons
   const SiteTable table =
       is_table ? goals.cast<SiteTable>()
                : table_of(problem, list_of(goals, "goals"), options, {.threads = jobs});
-  std::vector<SiteCost> costs;
-  {
-    const py::gil_scoped_release release;
-    costs = site_matrix(table, problem, from, options, jobs);
-  }
+  const std::vector<SiteCost> costs =
+      costs_between(problem, from, table, options, jobs, iterations);
   const std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(from.size()),
                                           static_cast<py::ssize_t>(table.goals().size())};
   py::array_t<double> cost = empty_array(shape);
@@ -225,12 +239,16 @@ A trailer is left out: the table is that of the tractor alone.
 
 Raises InputError for a goal that is not free, or cost="time".)");
   module.def("matrix", &matrix, "scenario"_a, "starts"_a, "goals"_a, py::kw_only(), "jobs"_a = 1,
-             R"(matrix(scenario, starts, goals, *, jobs=1, **options) -> (cost, lower_bound)
+             "max_iterations"_a = py::none(),
+             R"(matrix(scenario, starts, goals, *, jobs=1, max_iterations=None, **options)
+    -> (cost, lower_bound)
 
 Costs of free ways from each start to each goal, and proven lower bounds [m], of shape (N, M).
 
 `goals` are poses or a `SiteTable`. A cost is infinite if no way was found. Bounds are those of open
-ground and hold for every path. The other keywords are those of `site_table`.)");
+ground and hold for every path. With `max_iterations`, costs and bounds are those of plans that
+begin with the ways: mostly cheaper, and slower. A trailer needs that, and is straight at both ends.
+The other keywords are those of `site_table`.)");
   module.def("read_site_table", &read_table, "file"_a,
              "read_site_table(file) -> SiteTable\n\nReads a file of `SiteTable.save` or the "
              "command line.");
