@@ -40,14 +40,15 @@ class Pricing {
   /// Whether the time is a part of the cost. Then the cost of a drive is no sum over its segments.
   [[nodiscard]] bool counts_time() const { return is_time_ || time_price_ > 0.0; }
 
-  /// Cost of the fastest drive along `segments` from the start. `near`: clearance cost of the path
-  /// [m].
+  /// Cost of `segments` from the start, driven as fast as possible if time counts. `near`:
+  /// clearance cost of the path [m].
   [[nodiscard]] double cost(std::span<const Segment> segments, double near) const;
-  /// Cost of the fastest drive along `segments` from the start. `sampling`: how finely the
-  /// clearance is summed.
+  /// Cost of `segments` from the start, driven as fast as possible if time counts. `sampling`: how
+  /// finely the clearance is summed.
   [[nodiscard]] double cost(std::span<const Segment> segments,
                             search::ClearanceSampling sampling) const;
-  /// Cost of the fastest drive along a route, with the `clearance_cost` stored in its legs.
+  /// Cost of a route, driven as fast as possible if time counts, with the `clearance_cost` stored
+  /// in its legs.
   [[nodiscard]] double cost(const search::Route& route) const;
 
   /// Cost of the path alone, whatever a second costs. If the cost is the time, this is the time of

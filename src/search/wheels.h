@@ -29,7 +29,7 @@ namespace vandplan::search {
 [[nodiscard]] bool holds_wheels(const Task& task, GearSign beyond);
 
 /// Gears and curvatures before the start and after the goal, as far as the task says. `initial`:
-/// gear before the start.
+/// gear before the start, for prices of gear changes; what the wheels may do does not depend on it.
 [[nodiscard]] DrivenBeside driven_at_ends(const Task& task, GearSign initial = 0);
 
 /// Gears and curvatures that a piece between `beside` must match. If the wheels turn at once, only

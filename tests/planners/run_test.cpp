@@ -74,7 +74,7 @@ class Scripted final : public Worker {
   [[nodiscard]] bool has_work() const override { return script_.has_work; }
   [[nodiscard]] Found work(std::int64_t iterations, const Told& told, const Budget&) override {
     script_.calls.push_back(
-        {iterations, told.best != nullptr ? told.best->cost : nothing, told.enough});
+        {iterations, told.route != nullptr ? told.route->cost : nothing, told.enough});
     Found found;
     found.iterations = iterations;
     if (const double cost = next(script_.finds); cost < nothing) {
@@ -183,8 +183,8 @@ TEST_F(Scheduling, SharesSeeHowFarTheRunIs) {
   for (std::size_t i = 0; i < seen.size(); ++i) {
     EXPECT_EQ(seen[i].rounds, static_cast<std::int64_t>(i));
     EXPECT_EQ(seen[i].iterations, 3 * static_cast<std::int64_t>(i));
-    EXPECT_EQ(seen[i].has_route, i >= 2);
-    EXPECT_EQ(seen[i].rounds_with_route, i == 3 ? 1 : 0);
+    EXPECT_EQ(seen[i].has_path, i >= 2);
+    EXPECT_EQ(seen[i].rounds_with_path, i == 3 ? 1 : 0);
   }
 }
 

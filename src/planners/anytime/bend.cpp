@@ -147,11 +147,11 @@ bool Bender::step() {
 
 Found Bender::work(std::int64_t iterations, const Told& told, const Budget& budget) {
   if (iterations > 0) has_begun_ = true;
-  if (told.best != nullptr) {
-    known_cost_ = std::min(known_cost_, told.best->cost);
-    if (has_begun_ && told.best->cost < told_cost_) {
-      told_cost_ = told.best->cost;
-      offer(*told.best);
+  if (told.route != nullptr) {
+    known_cost_ = std::min(known_cost_, told.route->cost);
+    if (has_begun_ && told.route->cost < told_cost_) {
+      told_cost_ = told.route->cost;
+      offer(*told.route);
     }
   }
   const auto trial = [this]() -> std::optional<double> {

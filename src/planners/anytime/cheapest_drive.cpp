@@ -120,9 +120,9 @@ Counts CheapestDrive::counts() const {
 // [7b] Makes the cheapest route cheaper, judged by the whole drive.
 Found CheapestDrive::work(std::int64_t iterations, const Told& told, const Budget& budget) {
   Found found;
-  if (told.best == nullptr) return found;
+  if (told.route == nullptr) return found;
   const double before = cost();
-  take(*told.best);
+  take(*told.route);
   if (cost() < before) found.improvements.push_back({budget.elapsed(), 0, cost()});
   for (Route& route : std::exchange(offers_, {})) take(std::move(route));
   for (; found.iterations < iterations; ++found.iterations) {

@@ -32,8 +32,9 @@ namespace {
 constexpr double shortest_stroke = 0.1;
 /// Largest additional cost of a finished drive, relative, where seconds have a price beside others.
 constexpr double slack_of_both = 1e-2;
-/// Streams of random numbers, one for each worker. No run has both a survey and a worker for the
-/// cheapest drive. Other numbers would change answers.
+/// Streams of random numbers, one for each worker; a new worker takes the next number. Other
+/// numbers would change answers, so those of former workers stay unused. No run has both a survey
+/// and a worker for the cheapest drive.
 enum Stream : std::uint64_t {
   of_search_from_goal = 0,
   of_search_from_start = 1,
@@ -179,21 +180,21 @@ Share Composer::with_route(const Row& row) const {
     };
   }
   if (has_gap_ || is_warm_) {
-    Turn turn = share == 0 ? Turn{} : row.with_gap;
+    Turn turn = share == 0 ? Turn{} : row.with_gap_or_known;
     if (has_site_way_ && turn.first_round > 0) turn.first_round += shares::rounds_of_site_way;
     return [turn](const Progress& now) {
-      return now.rounds_with_route < turn.first_round ? 0 : turn.share * growth(now.rounds);
+      return now.rounds_with_path < turn.first_round ? 0 : turn.share * growth(now.rounds);
     };
   }
   if (!bends_ || rule_.is_length()) {
     return [share](const Progress& now) { return share * growth(now.rounds); };
   }
-  return [share](const Progress& now) { return growing_share(share, now.rounds_with_route); };
+  return [share](const Progress& now) { return growing_share(share, now.rounds_with_path); };
 }
 
 Share Composer::share(const Row& row) const {
   return [before = until_route(row), after = with_route(row)](const Progress& now) {
-    return now.has_route ? after(now) : before(now);
+    return now.has_path ? after(now) : before(now);
   };
 }
 
@@ -223,7 +224,7 @@ void Composer::add_length_prover() {
   const std::int64_t settled =
       rule_.is_length() ? shares::settled_steps_by_length : shares::settled_steps;
   Share proofs = [share_now, settled, &prover = *prover](const Progress& now) -> std::int64_t {
-    if (!now.has_route || (!now.is_settled && prover.has_work())) return 0;
+    if (!now.has_path || (!now.is_settled && prover.has_work())) return 0;
     return share_now(now) * (now.is_settled ? settled : 1);
   };
   Slot& slot = add("length prover", std::move(prover), share_now);
@@ -231,7 +232,7 @@ void Composer::add_length_prover() {
   if (!has_gap_) return;
   slot.phase = Phase::before;
   slot.proofs = [](const Progress& now) {
-    return now.rounds_with_route < shares::first_raise ? 0 : 1;
+    return now.rounds_with_path < shares::first_raise ? 0 : 1;
   };
 }
 
@@ -242,7 +243,7 @@ void Composer::add_detours() {
     return std::make_unique<Detours>(task, rule, own_seed);
   });
   add("detours", std::move(worker), [](const Progress& now) {
-    return now.has_route && now.rounds % shares::far_cycle == 0 ? shares::far_detours : 0;
+    return now.has_path && now.rounds % shares::far_cycle == 0 ? shares::far_detours : 0;
   });
 }
 
@@ -255,11 +256,11 @@ void Composer::add_survey() {
   const std::int64_t begin = has_relaxed() ? shares::first_relaxed_survey : shares::first_survey;
   Share share = [source, begin](const Progress& now) -> std::int64_t {
     const bool is_early = now.iterations < begin;
-    if (!now.has_route) return 0;
-    if (is_early && now.rounds_with_route < shares::rounds_without_work) return 0;
+    if (!now.has_path) return 0;
+    if (is_early && now.rounds_with_path < shares::rounds_without_work) return 0;
     const Survey* survey = source();
     const bool is_first = survey == nullptr || survey->is_first_pass();
-    return growing_share(is_first ? shares::first_pass : shares::survey, now.rounds_with_route);
+    return growing_share(is_first ? shares::first_pass : shares::survey, now.rounds_with_path);
   };
   Slot& slot = add("survey", std::move(worker), std::move(share));
   slot.is_relaxed = has_relaxed();
@@ -275,7 +276,7 @@ void Composer::add_wall_prover() {
                    never);
   slot.proofs = [first = is_far_ ? shares::first_wall_round_far
                                  : shares::first_wall_round](const Progress& now) {
-    if (now.has_route || now.rounds < first) return std::int64_t{0};
+    if (now.has_path || now.rounds < first) return std::int64_t{0};
     return now.rounds < first + shares::rounds_of_early_wall_steps ? shares::early_wall_steps
                                                                    : shares::late_wall_steps;
   };
@@ -297,7 +298,7 @@ void Composer::add_cheapest_drive() {
       "cheapest drive",
       std::make_unique<CheapestDrive>(task_, rule_, seed(of_cheapest_drive), cost, cost_of_bent),
       [](const Progress& now) {
-        return growing_share(shares::cheapest_drive, now.rounds_with_route);
+        return growing_share(shares::cheapest_drive, now.rounds_with_path);
       });
   slot.phase = Phase::after;
 }
@@ -310,7 +311,7 @@ void Composer::add_proposals(const NamedSource& source, std::uint64_t number) {
   };
   add(source.name, std::make_unique<Seeker>(task_, rule_, own_seed, std::move(make)),
       [share = source.share](const Progress& now) {
-        return now.has_route ? growing_share(share, now.rounds_with_route) : share;
+        return now.has_path ? growing_share(share, now.rounds_with_path) : share;
       });
 }
 
@@ -336,7 +337,7 @@ Portfolio Composer::portfolio() && {
   }
   add_length_prover();
   if (is_far_) add_detours();
-  if (bend_) add("bend", std::move(bend_), share(shares::bend));
+  if (bend_) add("bend", std::move(bend_), share(shares::bend));  // [5d]
   if (has_survey_) add_survey();
   add_wall_prover();
   if (has_rules_of_ground(task_)) add_zone_prover();

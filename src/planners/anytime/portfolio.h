@@ -21,11 +21,11 @@ namespace vandplan::anytime {
 
 /// State of a run, as far as shares depend on it.
 struct Progress {
-  std::int64_t rounds = 0;             ///< rounds so far
-  std::int64_t rounds_with_route = 0;  ///< rounds that began with a route
-  std::int64_t iterations = 0;         ///< iterations so far
-  bool has_route = false;              ///< whether there is a route
-  bool is_settled = false;             ///< whether the best cost hardly falls any more
+  std::int64_t rounds = 0;            ///< rounds so far
+  std::int64_t rounds_with_path = 0;  ///< rounds that began with a path
+  std::int64_t iterations = 0;        ///< iterations so far
+  bool has_path = false;              ///< whether there is a route or a drive
+  bool is_settled = false;            ///< whether the best cost hardly falls any more
 };
 
 /// Gives the iterations of a worker in the next round, or the steps of its proof.

@@ -13,7 +13,7 @@ LengthProver::LengthProver(const Task& task, search::GearSign only)
     : task_(task), only_(only), best_cost_(std::numeric_limits<double>::infinity()) {}
 
 Found LengthProver::work(std::int64_t iterations, const Told& told, const search::Budget& budget) {
-  if (told.best != nullptr) best_cost_ = std::min(best_cost_, told.best->cost);
+  if (told.route != nullptr) best_cost_ = std::min(best_cost_, told.route->cost);
   if (!geodesic_ && iterations > 0) {
     geodesic_.emplace(task_, best_cost_, only_);
     flood_.emplace(task_, only_);
@@ -71,7 +71,7 @@ bool has_rules_of_ground(const Task& task) {
 Share share_of_zone_prover(std::int64_t factor) {
   return [factor](const Progress& now) {
     const std::int64_t steps = now.is_settled ? shares::settled_zone_steps : shares::zone_steps;
-    return now.has_route ? growing_share(factor * steps, now.rounds_with_route) : 0;
+    return now.has_path ? growing_share(factor * steps, now.rounds_with_path) : 0;
   };
 }
 

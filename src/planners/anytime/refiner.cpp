@@ -5,9 +5,9 @@
 namespace vandplan::anytime {
 
 Found Refiner::work(std::int64_t iterations, const Told& told, const Budget& budget) {
-  if (told.best != nullptr && (!refined_ || told.best->cost < best_cost_)) {
-    best_cost_ = told.best->cost;
-    refined_.emplace(connector_, *told.best, stream_seed(seed_, ++routes_));
+  if (told.route != nullptr && (!refined_ || told.route->cost < best_cost_)) {
+    best_cost_ = told.route->cost;
+    refined_.emplace(connector_, *told.route, stream_seed(seed_, ++routes_));
   }
   const auto step = [this]() -> std::optional<double> {
     refined_->step();  // [5]

@@ -49,15 +49,15 @@ std::int64_t Run::left(std::int64_t wanted, std::int64_t promised) const {
 
 Progress Run::progress() const {
   return {.rounds = rounds_,
-          .rounds_with_route = rounds_with_route_,
+          .rounds_with_path = rounds_with_path_,
           .iterations = budget_.iterations(),
-          .has_route = has_path(),
+          .has_path = has_path(),
           .is_settled = budget_.iterations() > 2 * noted_at_};
 }
 
 Told Run::told(const Slot& slot, double enough_cost) const {
   const bool may_be_enough = portfolio_.routes_are_answers && !slot.is_relaxed;
-  return {.best = route_ ? &*route_ : nullptr,
+  return {.route = route_ ? &*route_ : nullptr,
           .drive = drive_ ? &*drive_ : nullptr,
           .enough = may_be_enough ? enough_cost : 0.0};
 }
@@ -186,7 +186,7 @@ void Run::work_together() {
     if (proofs[i] > 0) proofs[i] = slots[i].worker->prove(proofs[i], budget_);
   });
   for (const std::int64_t made : proofs) proofs_of_round_ += made;
-  if (has_path()) ++rounds_with_route_;
+  if (has_path()) ++rounds_with_path_;
   for (std::size_t i = 0; i < slots.size(); ++i) {  // [7]
     if (slots[i].is_relaxed) {
       merge_relaxed(found[i]);

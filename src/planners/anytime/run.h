@@ -69,7 +69,7 @@ class Run final : public planning::PathSearch {
   std::optional<search::Route> route_;  // cheapest route
   std::optional<Drive> drive_;          // cheapest drive
   std::vector<CostSample> trace_;       // costs of each improvement
-  std::int64_t rounds_ = 0, rounds_with_route_ = 0;
+  std::int64_t rounds_ = 0, rounds_with_path_ = 0;
   std::int64_t proofs_of_round_ = 0;  // steps of proving in this round
   int idle_rounds_ = 0;               // rounds in a row without any work
   /// Cost of the best path when it last fell clearly.

@@ -73,11 +73,11 @@ std::optional<double> Seeker::step() {
 }
 
 void Seeker::listen(const Told& told) {
-  if (told.best == nullptr) return;
-  best_cost_ = std::min(best_cost_, told.best->cost);
-  if (!source_ || told.best->cost >= told_cost_) return;
-  told_cost_ = told.best->cost;
-  source_->set_route(*told.best);
+  if (told.route == nullptr) return;
+  best_cost_ = std::min(best_cost_, told.route->cost);
+  if (!source_ || told.route->cost >= told_cost_) return;
+  told_cost_ = told.route->cost;
+  source_->set_route(*told.route);
 }
 
 Found Seeker::work(std::int64_t iterations, const Told& told, const Budget& budget) {

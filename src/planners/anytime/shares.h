@@ -18,24 +18,37 @@ struct Turn {
 
 /// The iterations of one worker in a round, in each kind of run.
 struct Row {
-  Turn until_route;        ///< share while there is no route; cheap workers begin first
-  std::int64_t by_length;  ///< iterations with a route, if the cost is the length, or over a site
-  std::int64_t by_time;    ///< iterations with a route, if time has a price
-  std::int64_t by_prices;  ///< iterations with a route, if the path has prices and routes are bent
+  Turn until_route = {};  ///< share while there is no route; cheap workers begin first
+  /// Iterations with a route, if the cost is the length, or over a site.
+  std::int64_t by_length = 0;
+  std::int64_t by_time = 0;  ///< iterations with a route, if time has a price
+  /// Iterations with a route, if the path has prices and routes are bent.
+  std::int64_t by_prices = 0;
   /// Share with a route, if `target_gap` is set or the run began with a known path. `first_round`
   /// counts rounds with a route. Rounds are short then, and workers that prove most gaps come
   /// first.
-  Turn with_gap;
+  Turn with_gap_or_known = {};
   Turn far_until_route = {};  ///< share over a whole site, while there is no route
 };
 
 namespace shares {
 
-inline constexpr Row search_from_goal{{0, 64}, 64, 160, 24, {1, 48}, {0, 64}};
-inline constexpr Row search_from_start{{1, 64}, 64, 160, 24, {6, 48}, {64, 64}};
-inline constexpr Row refine{{}, 256, 0, 0, {0, 48}};
-inline constexpr Row length_prover{{}, 2, 2, 1, {0, 1}};
-inline constexpr Row bend{{}, 24, 0, 96, {0, 24}};
+inline constexpr Row search_from_goal{.until_route = {0, 64},
+                                      .by_length = 64,
+                                      .by_time = 160,
+                                      .by_prices = 24,
+                                      .with_gap_or_known = {1, 48},
+                                      .far_until_route = {0, 64}};
+inline constexpr Row search_from_start{.until_route = {1, 64},
+                                       .by_length = 64,
+                                       .by_time = 160,
+                                       .by_prices = 24,
+                                       .with_gap_or_known = {6, 48},
+                                       .far_until_route = {64, 64}};
+inline constexpr Row refine{.by_length = 256, .with_gap_or_known = {0, 48}};
+inline constexpr Row length_prover{
+    .by_length = 2, .by_time = 2, .by_prices = 1, .with_gap_or_known = {0, 1}};
+inline constexpr Row bend{.by_length = 24, .by_prices = 96, .with_gap_or_known = {0, 24}};
 
 /// Share of the survey [iterations a round].
 inline constexpr std::int64_t survey = 16;

@@ -27,15 +27,17 @@ struct Found {
   /// Improvements of the best cost that the worker knows. Iterations count from the begin of the
   /// round.
   std::vector<CostSample> improvements = {};
-  std::optional<search::Route> route = {};   ///< route of the last improvement
-  std::optional<Drive> drive = {};           ///< drive of the last improvement
+  std::optional<search::Route> route = {};  ///< route of the last improvement
+  /// Drive of the last improvement. Without a trailer no other worker makes it cheaper: they may
+  /// make more of a route in `given_up`.
+  std::optional<Drive> drive = {};
   std::vector<search::Route> given_up = {};  ///< routes that other workers may make more of
 };
 
 /// What a worker is told at the beginning of a round.
 struct Told {
-  const search::Route* best = nullptr;  ///< best route of all workers; null while there is none
-  const Drive* drive = nullptr;         ///< best drive of all workers; null while there is none
+  const search::Route* route = nullptr;  ///< best route of all workers; null while there is none
+  const Drive* drive = nullptr;          ///< best drive of all workers; null while there is none
   double enough = 0.0;  ///< a route of at most this cost ends the worker's round [m]
 };
 
@@ -65,6 +67,7 @@ class Worker {
   /// Whether another iteration may find anything.
   [[nodiscard]] virtual bool has_work() const { return false; }
   /// Works for at most `iterations`; fewer if the budget is interrupted or nothing is left to do.
+  /// It is called in every round, with 0 iterations too, so that the worker hears what it is told.
   [[nodiscard]] virtual Found work(std::int64_t /*iterations*/, const Told& /*told*/,
                                    const search::Budget& /*budget*/) {
     return {};

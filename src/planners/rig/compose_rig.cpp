@@ -62,7 +62,7 @@ constexpr std::int64_t steps_of_proof = 128, most_doublings_of_proof = 7;
 
 Share share(const Turns& turns, std::int64_t first_round) {
   return [turns, first_round](const Progress& now) {
-    if (now.has_route) return anytime::growing_share(turns.with_drive, now.rounds_with_route);
+    if (now.has_path) return anytime::growing_share(turns.with_drive, now.rounds_with_path);
     if (now.rounds < first_round) return std::int64_t{0};
     return turns.until_drive << std::min(now.rounds - first_round, most_doublings);
   };
@@ -95,7 +95,7 @@ void add_provers(anytime::Portfolio& portfolio, const Setting& setting) {
   portfolio.slots.push_back(
       {.name = "wall prover", .worker = wall_prover(setting), .share = nothing});
   portfolio.slots.back().proofs = [](const Progress& now) {
-    return now.has_route ? 0 : steps_of_proof << std::min(now.rounds, most_doublings_of_proof);
+    return now.has_path ? 0 : steps_of_proof << std::min(now.rounds, most_doublings_of_proof);
   };
   if (!anytime::has_rules_of_ground(setting.task)) return;
   portfolio.slots.push_back(
@@ -135,7 +135,7 @@ void add_workers(anytime::Portfolio& portfolio, const Task& task, const PlanOpti
   const std::int64_t first_work = begins_far ? work_of_far_way : 128;
   const Share of_path = share(tractor_turns, 0);
   Share behind = [begins_far, of_path](const Progress& now) {
-    const bool is_first = begins_far && now.rounds == 0 && !now.has_route;
+    const bool is_first = begins_far && now.rounds == 0 && !now.has_path;
     return is_first ? 2 * work_of_far_way : of_path(now);
   };
   if (given.known != nullptr) portfolio.drive = drive_along(*setting, *given.known);
@@ -157,7 +157,7 @@ void add_workers(anytime::Portfolio& portfolio, const Task& task, const PlanOpti
             setting, std::make_unique<Proposed>(setting, source.make(task, setting->options)),
             stream_seed(seed(of_proposals), i)),
         [turn = source.share](const Progress& now) {
-          return now.has_route ? anytime::growing_share(turn, now.rounds_with_route) : turn;
+          return now.has_path ? anytime::growing_share(turn, now.rounds_with_path) : turn;
         });
   }
   add_provers(portfolio, *setting);
