@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 
-// How do I add a worker of my own to the default planner? This one proposes the path of yesterday.
+// How do I add a source of paths of my own to the default planner? This one proposes the path of
+// yesterday.
 
 #include <vandplan/planner.h>
 
@@ -14,7 +15,7 @@ namespace {
 
 using namespace vandplan;
 
-/// A worker that proposes one path, and prints each best path that it hears of.
+/// A source that proposes one path, and prints each best path that it hears of.
 class Yesterday final : public PathSource {
  public:
   explicit Yesterday(LocalPath path) : path_(std::move(path)) {}
