@@ -24,7 +24,7 @@ anytime::Found Proposed::work(std::int64_t /*most*/, const search::Budget& /*bud
   if (!proposed) return found;
   path::check_finite({proposed->start, proposed->segments});
   auto commands = commands::exact_commands(setting_->task, proposed->segments);
-  if (commands) found.drive = {.commands = *std::move(commands)};
+  if (commands) found.drive = anytime::Drive{.commands = *std::move(commands)};
   return found;
 }
 

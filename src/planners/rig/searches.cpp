@@ -101,7 +101,7 @@ anytime::Found Searches::work(std::int64_t most, const search::Budget& budget) {
     if (!goes_on || commands) end(line);
     if (commands) {
       has_found_ = true;
-      found.drive = {.commands = *std::move(commands), .wheels = line.task};
+      found.drive = anytime::Drive{.commands = *std::move(commands), .wheels = line.task};
     }
     if (++done_ < line.kind.share) continue;
     done_ = 0;
@@ -148,7 +148,7 @@ std::optional<anytime::Drive> BareSearches::widen() {
   if (widened_->step()) {
     std::optional<std::vector<Command>> commands =
         commands::obeyed(setting_->task, widened_->commands());
-    if (commands) found = {.commands = *std::move(commands)};
+    if (commands) found = anytime::Drive{.commands = *std::move(commands)};
   }
   if (!found && !widened_->is_stalled()) return found;
   if (!found && (roomiest_.empty() || widened_->cost() < lack_)) {
