@@ -29,7 +29,7 @@ inline constexpr std::string_view max_with_key = "max_with";
 inline constexpr std::string_view table_key = "table";
 inline constexpr std::string_view site_key = "site";
 
-/// A planner of the laboratory with an estimate by name, or with the larger of two: "hlut-4",
+/// Gives a planner of the laboratory an estimate by name, or the larger of two: "hlut-4",
 /// "max-hlut-4-bound". None if the name is unknown or the planner takes no estimate.
 [[nodiscard]] std::optional<Planner> with_estimate(Planner planner, std::string_view estimate);
 
