@@ -275,7 +275,8 @@ class SetRun {
       const Candidate& goal = candidates_[seen++];
       if (goals_.is_single(goal)) least = std::min(least, goal.bound);
     }
-    return least;
+    // A goal that joined just now may have shown that one is left out without a proof.
+    return goals_.saw_all() ? least : 0.0;
   }
 
   /// [6] Whether the budget is spent, or the best cost is within `target_gap` of the bound.
