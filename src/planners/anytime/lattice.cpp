@@ -21,14 +21,18 @@ std::size_t slot_of(std::uint64_t key, std::size_t size) {
   return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15U) >> 20) & (size - 1);
 }
 
-/// Most locks to either side of straight: each lock is one more cell at every pose.
-constexpr int max_locks = 2;
+/// Most locks to either side of straight: each lock is one more cell at every pose. In tight slots,
+/// where fine searches look, two locks miss paths with fewer gear changes.
+constexpr int max_locks = 3;
+constexpr int max_coarse_locks = 2;
+constexpr int max_coarse_headings = 48;
 
 /// Number of locks to either side that makes a clothoid from lock to lock about one step long.
-int locks_for(const Connector& connector, double step) {
+int locks_for(const Connector& connector, double step, int headings) {
   if (connector.continuous() == nullptr) return 1;
   const double clothoid = 1 / (connector.radius() * connector.continuous()->curvature_rate());
-  return static_cast<int>(std::clamp(std::round(clothoid / step), 1.0, 0.0 + max_locks));
+  const double most = headings > max_coarse_headings ? max_locks : max_coarse_locks;
+  return static_cast<int>(std::clamp(std::round(clothoid / step), 1.0, most));
 }
 
 }  // namespace
@@ -43,7 +47,7 @@ Lattice::Lattice(const LocalPose& root, const LocalPose& target, const DrivenBes
       cutoff_(std::numeric_limits<double>::infinity()),
       step_length_(2 * std::numbers::pi / options.headings * connector.radius()),
       cell_(options.cell * connector.radius()),
-      locks_(locks_for(connector, step_length_)),
+      locks_(locks_for(connector, step_length_, options.headings)),
       closed_(1024, 0) {
   route_.start = root;
   open({root, {beside.before.is_known() ? beside.before.curvature : 0.0, 0.0}, 0.0, -1});
