@@ -102,7 +102,8 @@ TEST(Rotation, EveryRouteIsValidAndOfInterest) {
     while (guide.step()) {
     }
     Connector connector(problem.task(), rule);
-    Rotation rotation(problem.task().start, problem.task().goal, {}, guide, connector);
+    Rotation rotation(problem.task().start, problem.task().goal, {}, anytime::coarse_to_fine, 256,
+                      guide, connector);
     double cutoff = 150.0;
     for (int i = 0; i < 3000 && !rotation.is_finished(); ++i) {
       if (!rotation.step(cutoff)) continue;
@@ -123,7 +124,8 @@ TEST(Rotation, EndsWhenNothingCheaperIsLeft) {
   while (guide.step()) {
   }
   Connector connector(problem.task(), {1.0, 2.0, 5.0, 0});
-  Rotation rotation(problem.task().start, problem.task().goal, {}, guide, connector);
+  Rotation rotation(problem.task().start, problem.task().goal, {}, anytime::coarse_to_fine, 256,
+                    guide, connector);
   for (int i = 0; i < 50000 && !rotation.is_finished(); ++i) EXPECT_FALSE(rotation.step(9.0));
   EXPECT_TRUE(rotation.is_finished());
 }

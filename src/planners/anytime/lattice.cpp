@@ -25,13 +25,13 @@ std::size_t slot_of(std::uint64_t key, std::size_t size) {
 /// where fine searches look, two locks miss paths with fewer gear changes.
 constexpr int max_locks = 3;
 constexpr int max_coarse_locks = 2;
-constexpr int max_coarse_headings = 48;
 
 /// Number of locks to either side that makes a clothoid from lock to lock about one step long.
 int locks_for(const Connector& connector, double step, int headings) {
   if (connector.continuous() == nullptr) return 1;
   const double clothoid = 1 / (connector.radius() * connector.continuous()->curvature_rate());
-  const double most = headings > max_coarse_headings ? max_locks : max_coarse_locks;
+  const double most =
+      headings > coarse_to_fine[coarse_searches - 1].headings ? max_locks : max_coarse_locks;
   return static_cast<int>(std::clamp(std::round(clothoid / step), 1.0, most));
 }
 

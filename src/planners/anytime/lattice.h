@@ -36,6 +36,9 @@ inline constexpr std::array<LatticeOptions, 8> coarse_to_fine = {
     LatticeOptions{96, 0.06, 2.0},   LatticeOptions{192, 0.03, 3.0},
     LatticeOptions{384, 0.015, 3.0}, LatticeOptions{768, 0.0075, 3.0}};
 
+/// Number of searches from the first on that are coarse. Where they find no route, a slot is tight.
+inline constexpr std::size_t coarse_searches = 4;
+
 /// One search from `root` to `target`. `beside`: what is driven before and after the route.
 class Lattice {
  public:

@@ -2,19 +2,21 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "planners/anytime/rotation.h"
 
+#include <algorithm>
+
 namespace vandplan::anytime {
 namespace {
 
-constexpr std::int64_t one_turn = 256;       // expansions of a turn
 constexpr std::int64_t first_turn = 1024;    // expansions of the first turn of the coarsest search
 constexpr std::int64_t max_nodes = 100'000;  // nodes of one search
 
 }  // namespace
 
 Rotation::Rotation(const LocalPose& root, const LocalPose& target, const DrivenBeside& beside,
-                   const Guide& guide, Connector& connector)
-    : left_(first_turn) {
-  for (const LatticeOptions& options : coarse_to_fine) {
+                   std::span<const LatticeOptions> searches, std::int64_t turn, const Guide& guide,
+                   Connector& connector)
+    : turn_(turn), left_(std::max(first_turn, turn)) {
+  for (const LatticeOptions& options : searches) {
     lattices_.emplace_back(std::in_place, root, target, beside, options, guide, connector);
   }
 }
@@ -23,7 +25,7 @@ Rotation::Rotation(const LocalPose& root, const LocalPose& target, const DrivenB
 bool Rotation::begin_turn() {
   for (std::size_t tried = 0; tried < lattices_.size(); ++tried) {
     current_ = (current_ + 1) % lattices_.size();
-    left_ = one_turn;
+    left_ = turn_;
     if (lattices_[current_]) return true;
   }
   finished_ = true;

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "planners/anytime/lattice.h"
@@ -18,10 +19,11 @@ namespace vandplan::anytime {
 /// on where it was, and none blocks the others.
 class Rotation {
  public:
-  /// The guide and the connector, which has the prices in the direction of the search, outlive the
-  /// rotation.
+  /// A turn has `turn` expansions. The guide and the connector, which has the prices in the
+  /// direction of the search, outlive the rotation.
   Rotation(const LocalPose& root, const LocalPose& target, const DrivenBeside& beside,
-           const Guide& guide, Connector& connector);
+           std::span<const LatticeOptions> searches, std::int64_t turn, const Guide& guide,
+           Connector& connector);
 
   /// Expands one pose. True when a route was found: `route`. Routes that do not cost less than
   /// `cutoff` are ignored [m].
@@ -39,6 +41,7 @@ class Rotation {
 
   std::vector<std::optional<Lattice>> lattices_;  // from coarse to fine; none: the search has ended
   std::size_t current_ = 0;                       // index of the search whose turn it is
+  std::int64_t turn_;                             // expansions of a turn
   std::int64_t left_;                             // expansions left in this turn
   bool finished_ = false;
 };

@@ -16,7 +16,8 @@ namespace {
 constexpr std::int64_t max_lattice_nodes = 300'000;  // nodes of one search: some 30 MB
 /// Greediness of the way on the grid that guides the search over a whole site.
 constexpr double greediness_of_far_way = 1.25;
-constexpr double slack = 1.1;  // a route may cost so many times the best: shortening helps
+constexpr std::int64_t one_turn = 256;  // expansions of a turn where searches take turns
+constexpr double slack = 1.1;           // a route may cost so many times the best: shortening helps
 
 // The rule without prices of steering and clearance, for a first route: shortening takes care of
 // them.
@@ -148,7 +149,10 @@ bool Ladder::step_rotation() {
       next_guide();
       return false;
     }
-    rotation_.emplace(from_, to_, driven_beside_route(by_price_.rule()), *guide_, by_price_);
+    const bool is_tight = level_ > coarse_searches;
+    rotation_.emplace(from_, to_, driven_beside_route(by_price_.rule()),
+                      std::span(coarse_to_fine).subspan(is_tight ? level_ - 1 : 0),
+                      is_tight ? max_lattice_nodes : one_turn, *guide_, by_price_);
   }
   const bool found = rotation_->step(slack * cutoff_);
   finished_ = rotation_->is_finished();

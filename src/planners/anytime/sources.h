@@ -20,8 +20,10 @@ namespace vandplan::anytime {
 enum class Root { start, goal };
 
 /// Lattice searches from coarse to fine, all from the same root. With prices they go by length
-/// until a route is known. Afterwards different searches take turns (`Rotation`). Over a whole site
-/// there is one search, in a strip, and others only if that finds no route.
+/// until a route is known. Afterwards different searches take turns (`Rotation`); if only a fine
+/// one found a route, because a slot is tight, it is repeated by price instead, and finer ones
+/// follow. Over a whole site there is one search, in a strip, and others only if that finds no
+/// route.
 class Ladder final : public Source {
  public:
   /// Task and rule outlive the object.
