@@ -384,6 +384,11 @@ TEST_F(OpenDrive, SpeedLimitsOfLanesComeBeforeThoseOfRoads) {
   EXPECT_EQ(three[2].max_speed, 5);
   EXPECT_EQ(bounding_box(three[2].area), (Bounds{30, 40, -3, 0}));
   EXPECT_EQ(three[3].max_speed, std::nullopt);
+  // A limit of the road that begins behind the lane's first one does not count.
+  const std::vector<Zone> own = zones(R"(<speed sOffset="10" max="5"/>)", slow);
+  ASSERT_EQ(own.size(), 2U);
+  EXPECT_EQ(bounding_box(own[1].area), (Bounds{10, 50, -3, 0}));
+  EXPECT_EQ(own[1].max_speed, 5);
 }
 
 TEST_F(OpenDrive, WhatIsNotReadIsAWarning) {

@@ -129,6 +129,26 @@ TEST(Tidied, KeepsAStrokeAtWhichTheWheelsTurn) {
   EXPECT_TRUE(check_path(problem, {{}, tidy}, {.steering = steering}).valid) << as_code(tidy);
 }
 
+// Pins beside the path that the tidy one hits, but not the path with its crumbs.
+TEST(Tidied, KeepsACrumbWithoutWhichThePathIsBlocked) {
+  const Path path{{}, {{0, 9}, {k, 0.02}, {0, 9}, {-k, 7}, {0, 3}}};
+  const Path tidy{{}, tidied(problem_of_path({.bounds = wide_bounds}, path), path)};
+  ASSERT_LT(tidy.segments.size(), path.segments.size());
+  int pins = 0;
+  for_each_case(7, 1000, [&](Rng& rng) {
+    const double y = Vehicle{}.width / 2 * (uniform(0, 1, rng) < 0.5 ? -1 : 1);
+    const Pose at = compose(pose_at(tidy, uniform(9, 18, rng)), {0, y, 0});
+    const double aside = uniform(-0.02, 0.02, rng);
+    const Polygon pin = box(at.x, at.y + aside, at.x + 1e-3, at.y + aside + 1e-3);
+    const Problem problem = problem_of_path({.bounds = wide_bounds, .obstacles = {pin}}, path);
+    if (!check_path(problem, path).valid || check_path(problem, tidy).valid) return;
+    ++pins;
+    const Path kept{{}, tidied(problem, path)};
+    EXPECT_TRUE(check_path(problem, kept).valid) << as_code(pin);
+  });
+  EXPECT_GT(pins, is_sanitized ? -1 : 10);
+}
+
 TEST(Tidied, LeavesATidyPathAlone) {
   const Path path{{}, {{k, 8}, {0, 12}, {-k, 6}, {-k, -4}, {0, -9}}};
   const Problem problem = problem_of_path({.bounds = wide_bounds}, path);

@@ -148,6 +148,34 @@ TEST(SiteTable, EveryStepLeadsNearerToTheGoal) {
   EXPECT_EQ(goals, 1);
 }
 
+// The bounds are 40 cells wide. The grid has one more column and row, where only the bounds begin.
+TEST(SiteTable, NoStateLiesBeyondTheBounds) {
+  const Problem problem =
+      problem_of({-20, 0, 0}, {15, 15, 0.3}, {box(-35, -35, -34, -34), box(34, 34, 35, 35)},
+                 {-35, 35, -35, 35});
+  const SiteTable table = table_to(problem, length_options());
+  const SiteData& data = table.data();
+  ASSERT_EQ(data.grid.columns, 41);
+  const auto count_at = [&](std::int32_t column, std::int32_t row) {
+    int count = 0;
+    SiteState state{.column = column, .row = row};
+    for (; state.heading < data.grid.headings; ++state.heading) {
+      for (const int gear : {1, -1}) {
+        state.gear = gear;
+        count += data.find(data.layers[0], state) ? 1 : 0;
+      }
+    }
+    return count;
+  };
+  int before = 0, beyond = 0;
+  for (std::int32_t i = 0; i < 41; ++i) {
+    before += count_at(39, i) + count_at(i, 39);
+    beyond += count_at(40, i) + count_at(i, 40);
+  }
+  EXPECT_GT(before, 1000);
+  EXPECT_EQ(beyond, 0);
+}
+
 TEST(SiteTable, KnowsNoWayThroughAWall) {
   const std::vector<Polygon> wall = {box(-40, 5, 40, 6)};
   const Problem problem = problem_of({20, 20, 0}, {0, 0, 0}, wall, area);
