@@ -7,8 +7,8 @@
 // Every problem is planned with all workers, and with each one switched off in turn; `without`
 // names groups that are switched off together, instead. One thread; times are processor time. What
 // is the best known comes from a run of BEST seconds with all workers, and from all other runs.
-// worlds=FIRST-LAST are random worlds by their numbers. NAME is an option of all planners, or
-// "style".
+// worlds=FIRST-LAST are random worlds by their numbers, slots=FIRST-LAST tight parking slots. NAME
+// is an option of all planners, or "style".
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -172,11 +172,12 @@ void add(Settings& settings, const std::string& argument) {
   const std::string value = equals == std::string::npos ? "" : argument.substr(equals + 1);
   if (name == "without") {
     settings.groups.push_back(split(value, ','));
-  } else if (name == "worlds") {
+  } else if (name == "worlds" || name == "slots") {
+    const auto make = name == "worlds" ? random_world : tight_slot;
     const std::vector<std::string> ends = split(value, '-');
     const int last = std::atoi(ends.back().c_str());
     for (int i = std::atoi(ends.front().c_str()); i <= last; ++i) {
-      settings.problems.push_back(random_world(static_cast<std::uint64_t>(i)));
+      settings.problems.push_back(make(static_cast<std::uint64_t>(i)));
     }
   } else if (name == "style") {
     settings.options.cost = prices_of(style_named(value), Vehicle{});
@@ -189,7 +190,7 @@ int run(int argc, char** argv) {
   if (argc < 5) {
     std::fprintf(stderr,
                  "usage: ablation_bench SEEDS SECONDS BEST [NAME=VALUE...] [without=WORKER,...] "
-                 "[worlds=FIRST-LAST] [SCENARIO.yaml...]\n");
+                 "[worlds=FIRST-LAST] [slots=FIRST-LAST] [SCENARIO.yaml...]\n");
     return 2;
   }
   const int seeds = std::atoi(argv[1]);

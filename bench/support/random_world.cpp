@@ -174,19 +174,53 @@ Draft in_a_maze(Rng& rng) {
   return draft;
 }
 
+/// A lane along x, from y = 0 on, with a parallel slot on its right from x = 0 on.
+Draft along_a_lane(const Vehicle& car, Rng& rng) {
+  const double slack = uniform(0.8, 2.2, rng), spare = uniform(0.3, 0.8, rng);
+  const double lane = uniform(3.5, 6, rng);
+  const double length = car.rear_overhang + car.wheelbase + car.front_overhang + slack;
+  const double deep = car.width + spare;
+  Draft draft{.bounds = {-16, length + 16, -deep - 1, lane + 1}};
+  draft.obstacles = {box(-15, -deep, 0, 0), box(length, -deep, length + 15, 0),
+                     box(-15, -deep - 1, length + 15, -deep),
+                     box(-15, lane, length + 15, lane + 1)};
+  draft.start = {uniform(-10, -6, rng), uniform(1.1, std::min(lane - 1.1, 2.2), rng), 0};
+  draft.goal = {car.rear_overhang + slack * uniform(0.3, 0.7, rng),
+                spare * uniform(0.3, 0.7, rng) - deep + car.width / 2, uniform(-0.03, 0.03, rng)};
+  return draft;
+}
+
+/// Draws until start and goal are free.
+template <typename Draw>
+Problem free_problem(const Vehicle& vehicle, Draw draw) {
+  while (true) {
+    Draft draft = draw();
+    const auto world = std::make_shared<const World>(
+        Surroundings{.bounds = draft.bounds, .obstacles = std::move(draft.obstacles)}, Point{});
+    Problem problem = make_problem(world, vehicle, draft.start, draft.goal);
+    const CollisionChecker& checker = *problem.task().checker;
+    if (checker.is_free(problem.task().start) && checker.is_free(problem.task().goal)) {
+      return problem;
+    }
+  }
+}
+
 }  // namespace
 
 Problem random_world(std::uint64_t number) {
   constexpr std::array kinds = {among_boxes, through_gates, into_a_slot, into_a_dock, in_a_maze};
   Rng rng(stream_seed(number, 0));
-  while (true) {
-    Draft draft = kinds[number % kinds.size()](rng);
-    const auto world = std::make_shared<const World>(
-        Surroundings{.bounds = draft.bounds, .obstacles = std::move(draft.obstacles)}, Point{});
-    const auto checker = world->checker({});
-    if (!checker->is_free(Local(draft.start)) || !checker->is_free(Local(draft.goal))) continue;
-    return make_problem(world, {}, draft.start, draft.goal);
-  }
+  return free_problem({}, [&] { return kinds[number % kinds.size()](rng); });
+}
+
+Problem tight_slot(std::uint64_t number) {
+  const Vehicle car{.wheelbase = 2.8,
+                    .front_overhang = 0.96,
+                    .rear_overhang = 0.929,
+                    .width = 1.942,
+                    .min_turning_radius = 4.5};
+  Rng rng(stream_seed(number, 1));
+  return free_problem(car, [&] { return along_a_lane(car, rng); });
 }
 
 }  // namespace vandplan

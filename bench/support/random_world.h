@@ -14,4 +14,8 @@ namespace vandplan {
 /// there may be no path.
 [[nodiscard]] Problem random_world(std::uint64_t number);
 
+/// A car of 4.69 m in a lane, with a slot along it that is 0.8 to 2.2 m longer than the car. Start
+/// and goal are free; there may be no path. Planners find paths by fine searches alone.
+[[nodiscard]] Problem tight_slot(std::uint64_t number);
+
 }  // namespace vandplan
