@@ -26,7 +26,12 @@ class Restarted final : public PathSearch {
     if (options.budget.time_limit) {
       *options.budget.time_limit = std::max(*options.budget.time_limit - budget_.elapsed(), 0.0);
     }
+    const double begun = budget_.elapsed();
     PlannerAnswer next = planner_(task_, options);
+    for (CostSample& sample : next.anytime) {
+      sample.time += begun;
+      sample.iteration += iterations_;
+    }
     const bool goes_on = next.status == PlanStatus::iteration_limit ||
                          (next.segments && next.iterations >= *options.budget.max_iterations);
     round_ *= 2;

@@ -12,6 +12,7 @@
 #include "planners/plan_to_set.h"
 #include "planners/pricing.h"
 #include "planners/reasons.h"
+#include "planners/zone_exits.h"
 #include "vandplan/input_error.h"
 #include "vandplan/search.h"
 #include "vandplan/vehicle.h"
@@ -20,8 +21,23 @@ namespace vandplan {
 namespace {
 
 constexpr double rounding = 1e-12;  // relative rounding of a sum of lengths
-/// Answer that needs no search: start or goal are not free, or the goal is the start.
-std::optional<PlannerAnswer> settled(const Task& task) {
+/// Answer if zones let the vehicle leave the start, or come to the goal, in no gear.
+std::optional<PlannerAnswer> kept_by_zones(const Task& task, const CostOptions& costs) {
+  const planning::ZoneExits exits(task, search::cost_rule(costs, task));
+  if (!exits.may_leave(start_state(task))) {
+    return PlannerAnswer{.status = PlanStatus::start_in_collision,
+                         .reason = "zones let the vehicle leave the start in no gear"};
+  }
+  if (!exits.may_come(goal_state(task))) {
+    return PlannerAnswer{.status = PlanStatus::goal_in_collision,
+                         .reason = "zones let the vehicle come to the goal in no gear"};
+  }
+  return std::nullopt;
+}
+
+/// Answer that needs no search: start or goal are not free, zones let the vehicle neither leave the
+/// start nor come to the goal, or the goal is the start.
+std::optional<PlannerAnswer> settled(const Task& task, const CostOptions& costs) {
   PlannerAnswer answer;
   if (!task.checker->is_free(start_state(task))) {
     answer.status = PlanStatus::start_in_collision;
@@ -32,8 +48,8 @@ std::optional<PlannerAnswer> settled(const Task& task) {
     answer.status = PlanStatus::goal_in_collision;
     return answer;
   }
+  if (!planning::is_there(task)) return kept_by_zones(task, costs);
   if (!task.moving.empty()) return std::nullopt;  // an obstacle may come by
-  if (!planning::is_there(task)) return std::nullopt;
   answer.status = PlanStatus::solved;
   answer.segments.emplace();
   answer.anytime.push_back({});
@@ -157,7 +173,7 @@ PlanResult plan(const Problem& problem, const Planner& planner, const PlanOption
   const PlanOptions all = complete(planner, options, problem.vehicle());
   const search::Budget clock(all.budget);
   Task task = task_of(problem, all.clearance, *all.steering);
-  std::optional<PlannerAnswer> answer = settled(task);
+  std::optional<PlannerAnswer> answer = settled(task, all.cost);
   task = planning::to_set_behind_vias(std::move(task));
   if (!answer) {
     const bool takes_task = (task.goal_set.empty() || planner.can(Capability::goal_sets)) &&

@@ -22,8 +22,10 @@ struct Refusal {
   std::optional<Hit> hit = {};
 };
 
-/// Reason of the judge why a state is not free, or that planning asks for a little more margin.
-Refusal refusal_at(const Problem& problem, const State& state, const ClearanceOptions& options) {
+/// Reason of the judge why a state is not free; or else that of the planner, or that planning asks
+/// for a little more margin.
+Refusal refusal_at(const Problem& problem, const State& state, const ClearanceOptions& options,
+                   const std::string& of_planner) {
   const auto& [pose, angle] = state;
   const Problem there =
       make_problem(problem.world(), problem.vehicle(), pose, pose, {}, {angle, angle});
@@ -37,6 +39,7 @@ Refusal refusal_at(const Problem& problem, const State& state, const ClearanceOp
     return {check.reason + "; with margin_ramp a start or goal may be nearer", check.hit};
   }
   if (!check.reason.empty()) return {check.reason, check.hit};
+  if (!of_planner.empty()) return {of_planner};
   return {"the pose keeps the margin of " + base::shortest_text(options.margin) +
           " m, but planning asks for up to " +
           base::shortest_text(1e3 * CollisionChecker::tolerance) + " mm more"};
@@ -53,8 +56,8 @@ void explain_refusal(const Problem& problem, const ClearanceOptions& options, Pl
                       (problem.goal_set().size() == 1 && is_continuous(problem.goal_set()[0]));
   if (!is_start && is_set) return;
   const auto& [start, goal] = problem.hitch_angles();
-  Refusal refusal = is_start ? refusal_at(problem, {problem.start(), start}, options)
-                             : refusal_at(problem, {problem.goal(), goal}, options);
+  const State at = is_start ? State{problem.start(), start} : State{problem.goal(), goal};
+  Refusal refusal = refusal_at(problem, at, options, result.reason);
   result.reason = std::move(refusal.reason);
   result.hit = refusal.hit;
 }

@@ -115,9 +115,11 @@ class ViaSearch final : public PathSearch {
     if (const std::optional<std::size_t> via = nodes_.empty_via()) {
       const std::size_t poses = nodes_.looked_at(*via);
       const std::string of_via = "of via[" + std::to_string(*via) + "] ";
-      answer.reason = poses == 1 ? "the pose " + of_via + "is not free"
-                                 : "none of the " + std::to_string(poses) + " poses " + of_via +
-                                       "that were looked at is free";
+      const bool has_zones = !task_.world->local().zones.empty();
+      answer.reason = (poses == 1 ? "the pose " + of_via + "is not free"
+                                  : "none of the " + std::to_string(poses) + " poses " + of_via +
+                                        "that were looked at is free") +
+                      (has_zones ? ", or zones do not let the vehicle pass there" : "");
       if (nodes_.are_all()) answer.status = PlanStatus::no_path;
     } else if (chain_.empty() && is_proven_ && nodes_.are_all()) {
       answer.status = PlanStatus::no_path;

@@ -45,7 +45,8 @@ SetGoals::SetGoals(const Task& task, const PlanOptions& options, double time_pri
       alone_(task),
       options_(options),
       time_price_(time_price),
-      pricing_(task, options.cost, time_price) {
+      pricing_(task, options.cost, time_price),
+      exits_(task, pricing_.rule()) {
   alone_.goal_set.clear();
 }
 
@@ -129,6 +130,10 @@ std::optional<SetGoal> SetGoals::at(const GoalPoint& point) {
                .task = problem::task_to(alone_, state, task_.goal_set[point.region].curvature,
                                         options_.clearance)};
   if (!goal.task.checker->is_free(state)) return std::nullopt;
+  if (!is_there(goal.task) && !exits_.may_come(state)) {
+    is_kept_by_zones_ = true;
+    return std::nullopt;
+  }
   ++free_;
   goal.bound = bound_to(goal.task);
   goal.task.last_stretch = last_stretch(task_, point);
@@ -173,7 +178,8 @@ PlannerAnswer SetGoals::without_goals() const {
   const std::string poses = " poses of the goal that were looked at ";
   if (free_ == 0) {
     return {.status = PlanStatus::goal_in_collision,
-            .reason = "none of the " + std::to_string(looked_at_) + poses + "is free"};
+            .reason = "none of the " + std::to_string(looked_at_) + poses + "is free" +
+                      (is_kept_by_zones_ ? ", and zones let the vehicle come there" : "")};
   }
   const bool saw_each = saw_all_ && std::ranges::none_of(task_.goal_set, is_continuous);
   return {.status = saw_each ? PlanStatus::no_path : PlanStatus::iteration_limit,

@@ -19,7 +19,8 @@ constexpr double share_of_curvature = 4.0;
 
 }  // namespace
 
-ViaNodes::ViaNodes(const Task& task, const search::CostRule& rule) : task_(task), rule_(rule) {
+ViaNodes::ViaNodes(const Task& task, const search::CostRule& rule)
+    : task_(task), rule_(rule), exits_(task, rule) {
   for (const Via& via : task.via) {
     Task& alone = tasks_.emplace_back(task);
     alone.via.clear();
@@ -42,7 +43,10 @@ ViaNodes::ViaNodes(const Task& task, const search::CostRule& rule) : task_(task)
   }
 }
 
-bool ViaNodes::is_free(const ViaNode& node) const { return task_.checker->is_free(node.state); }
+bool ViaNodes::is_free(const ViaNode& node) const {
+  return task_.checker->is_free(node.state) && exits_.may_come(node.state) &&
+         exits_.may_leave(node.state, node.gear);
+}
 
 /// Adds a node for each gear in which the vehicle may go on; one if it stands there and a gear
 /// change costs nothing.
@@ -50,7 +54,7 @@ void ViaNodes::add_gears(std::size_t via, const ViaNode& node, std::vector<ViaNo
   const bool stands = task_.via[via].stop;
   const bool is_any = stands && rule_.gear_change_cost == 0.0;
   for (const search::GearSign gear : {1, -1}) {
-    if (!rule_.allows(gear)) continue;
+    if (!(is_any ? exits_.may_leave(node.state) : exits_.may_leave(node.state, gear))) continue;
     ViaNode& added = nodes.emplace_back(node);
     added.number = nodes.size() - 1;
     added.gear = is_any ? 0 : gear;
@@ -64,9 +68,9 @@ std::optional<ViaNode> ViaNodes::added(std::size_t via, const LocalState& state,
   const std::optional<GoalPoint> point = point_at(tasks_[via], state);
   if (!point) return std::nullopt;
   ViaNode node{.point = *point, .state = state_of(tasks_[via], *point)};
-  if (!is_free(node)) return std::nullopt;
   node.stands = task_.via[via].stop;
   node.gear = node.stands && rule_.gear_change_cost == 0.0 ? 0 : gear;
+  if (!is_free(node)) return std::nullopt;
   if (task_.steering != Steering::reeds_shepp) {
     const double sharpest = sharpest_through();
     node.curvature = std::clamp(curvature, -sharpest, sharpest);

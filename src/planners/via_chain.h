@@ -14,6 +14,7 @@
 
 #include "planners/goal_poses.h"
 #include "planners/path_search.h"
+#include "planners/zone_exits.h"
 #include "vandplan/path.h"
 #include "vandplan/problem.h"
 #include "vandplan/search.h"
@@ -33,7 +34,8 @@ struct ViaNode {
 /// The nodes of all vias, and which of them a path should take.
 class ViaNodes {
  public:
-  /// Free poses of each via, evenly spread. The task outlives the nodes. `rule`: prices.
+  /// Free poses of each via that zones let the vehicle pass, evenly spread. The task outlives the
+  /// nodes. `rule`: prices.
   ViaNodes(const Task& task, const search::CostRule& rule);
 
   /// Index of the first via without a free pose; none if each has one.
@@ -74,6 +76,7 @@ class ViaNodes {
 
   const Task& task_;
   search::CostRule rule_;
+  ZoneExits exits_;
   std::vector<Task> tasks_;  // of each via: a task with the via as its set of goals
   std::vector<std::vector<ViaNode>> nodes_;
   std::vector<std::size_t> looked_at_;

@@ -138,6 +138,25 @@ TEST(Via, ProvesThatOneIsBlocked) {
   EXPECT_EQ(result.reason, "the pose of via[0] is not free");
 }
 
+// Most headings are against the one-way street around the via.
+TEST(Via, OfAnyHeadingIsPassedAsAStreetAllows) {
+  for (const bool stop : {false, true}) {
+    Scenario scenario = yard({anyhow(20, 0, stop)});
+    scenario.zones = {{.area = box(14, -6, 26, 6), .direction = HeadingRange{1.4, 1.8}}};
+    PlanOptions options = via_options(2000);
+    options.cost.gears = AllowedGears::forward;
+    const PlanResult result = plan(make_problem(scenario), options);
+    if (is_sanitized && !result.path) continue;
+    ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  }
+  Scenario against = yard({at({20, 0, 0})});
+  against.zones = {{.area = box(14, -6, 26, 6), .direction = HeadingRange{1.4, 1.8}}};
+  const PlanResult none = plan(make_problem(against), via_options(2000));
+  EXPECT_EQ(none.status, PlanStatus::no_path);
+  EXPECT_EQ(none.reason,
+            "the pose of via[0] is not free, or zones do not let the vehicle pass there");
+}
+
 TEST(Via, IsPassedByEveryPlanner) {
   const Problem problem = make_problem(yard({at({20, 6, 0}), anyhow(30, 3, true)}));
   for (const Planner& planner : planners()) {

@@ -144,6 +144,54 @@ TEST(Zones, AStartInAClosedOneIsInCollision) {
   EXPECT_EQ(back.status, PlanStatus::goal_in_collision);
 }
 
+/// A one-way street that leads to the east, around the origin.
+Zone street_east() { return {.area = box(-5, -5, 5, 5), .direction = HeadingRange{-0.5, 0.5}}; }
+
+TEST(Zones, AStartThatNoGearMayLeaveIsRefusedAtOnce) {
+  const auto status_from = [](const Pose& start, AllowedGears gears) {
+    PlanOptions options = of_iterations(1000);
+    options.cost.gears = gears;
+    return plan(make_problem(with_zones(start, {40, 0, 0}, {street_east()})), options).status;
+  };
+  EXPECT_EQ(status_from({0, 0, 0.4}, AllowedGears::both), PlanStatus::solved);
+  EXPECT_EQ(status_from({0, 0, 0.6}, AllowedGears::both), PlanStatus::start_in_collision);
+  EXPECT_EQ(status_from({0, 0, 3.1}, AllowedGears::both), PlanStatus::solved);  // backs out
+  EXPECT_EQ(status_from({0, 0, 3.1}, AllowedGears::forward), PlanStatus::start_in_collision);
+  EXPECT_EQ(status_from({0, 5.01, 0.6}, AllowedGears::both), PlanStatus::solved);
+}
+
+TEST(Zones, AGoalToWhichNoGearMayComeIsRefusedAtOnce) {
+  Zone only_back = street_east();
+  only_back.direction.reset();
+  only_back.gears = AllowedGears::reverse;
+  for (const Zone& zone : {street_east(), only_back}) {
+    PlanOptions options = of_iterations(1000);
+    options.cost.gears = AllowedGears::forward;
+    const PlanResult result =
+        plan(make_problem(with_zones({-30, 0, 0}, {0, 0, 1.5}, {zone})), options);
+    EXPECT_EQ(result.status, PlanStatus::goal_in_collision);
+    EXPECT_EQ(result.reason, "zones let the vehicle come to the goal in no gear");
+    EXPECT_EQ(result.iterations, 0);
+  }
+  const PlanResult there =
+      plan(make_problem(with_zones({0, 0, 1.5}, {0, 0, 1.5}, {street_east()})), of_iterations(10));
+  EXPECT_EQ(there.status, PlanStatus::solved);
+}
+
+TEST(Zones, OfASetTheGoalsAreTakenToWhichAGearMayCome) {
+  Scenario scenario = with_zones({-30, 0, 0}, {0, 0, 1.5}, {street_east()});
+  scenario.goal_set = {region_of_pose({0, 0, 1.5}), region_of_pose({0, 0, 0.2})};
+  const PlanResult result = plan(make_problem(scenario), of_iterations(1000));
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  EXPECT_EQ(result.goal->index, 1U);
+  scenario.goal_set.pop_back();
+  scenario.goal_set[0].heading = {1.5, 1.6};
+  const PlanResult none = plan(make_problem(scenario), of_iterations(1000));
+  EXPECT_EQ(none.status, PlanStatus::goal_in_collision);
+  EXPECT_NE(none.reason.find("is free, and zones let the vehicle come there"), std::string::npos)
+      << none.reason;
+}
+
 TEST(Zones, AreChecked) {
   const auto fault = [](Zone zone) {
     return place_of_error([&] {
