@@ -147,3 +147,14 @@ def test_a_matrix_of_plans_is_cheaper_and_knows_trailers(yard, table):
         vp.matrix(towed, starts, [(0, 12, 0)])
     cost, _ = vp.matrix(towed, starts[:1], [(0, 12, 0)], max_iterations=200)
     assert np.isfinite(cost).all()
+
+
+def test_what_a_matrix_refuses_is_named_as_in_python(yard, table):
+    starts = [[10.0, 0.0, 0.0]]
+    for wrong, name in [({"site": table}, "site"), ({"jobs": 0}, "jobs"), ({"max_iterations": 0}, "max_iterations")]:
+        with pytest.raises(vp.InputError, match=f"^{name}: expected"):
+            vp.matrix(yard, starts, table, **wrong)
+    with pytest.raises(vp.InputError, match="^jobs: expected"):
+        vp.site_table(yard, jobs=0)
+    with pytest.raises(vp.InputError, match="^jobs: expected"):
+        vp.ChangingSiteTable(yard, jobs=0)

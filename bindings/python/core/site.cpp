@@ -35,6 +35,12 @@ PlanOptions site_options(const CheckedScenario& scenario, const py::kwargs& keyw
                   vehicle);
 }
 
+/// `jobs`, for options that call it threads. Throws InputError.
+int threads_of(int jobs) {
+  if (jobs < 1 || jobs > 256) throw InputError("jobs", "expected 1 to 256");
+  return jobs;
+}
+
 /// Poses from Python: (N, 3), or one pose. Throws InputError naming `where`.
 std::vector<Pose> list_of(const py::object& given, const char* where) {
   const Poses poses(given, where);
@@ -68,7 +74,7 @@ SiteTable make_table(const CheckedScenario& scenario, const py::object& goals, i
                      double cell, int jobs, const py::kwargs& keywords) {
   const Problem& problem = scenario.problem();
   return table_of(problem, goals_of(problem, goals), site_options(scenario, keywords),
-                  {.headings = headings, .cell = cell, .threads = jobs});
+                  {.headings = headings, .cell = cell, .threads = threads_of(jobs)});
 }
 
 std::shared_ptr<SharedSiteTable> changing_table(const CheckedScenario& scenario,
@@ -78,7 +84,7 @@ std::shared_ptr<SharedSiteTable> changing_table(const CheckedScenario& scenario,
   const std::vector<Pose> poses = goals_of(problem, goals);
   const PlanOptions options = site_options(scenario, keywords);
   const py::gil_scoped_release release;
-  const SiteTableOptions wanted{.headings = headings, .cell = cell, .threads = jobs};
+  const SiteTableOptions wanted{.headings = headings, .cell = cell, .threads = threads_of(jobs)};
   return std::make_shared<SharedSiteTable>(
       SharedSiteTable{ChangingSiteTable(problem, poses, options, wanted)});
 }
@@ -126,15 +132,17 @@ std::vector<SiteCost> costs_between(const Problem& problem, const std::vector<Po
 
 py::tuple matrix(const CheckedScenario& scenario, const py::object& starts, const py::object& goals,
                  int jobs, std::optional<std::int64_t> iterations, const py::kwargs& keywords) {
+  if (keywords.contains("site")) throw InputError("site", "expected the table in place of goals");
+  if (iterations && *iterations < 1) throw InputError("max_iterations", "expected at least 1");
   const Problem& problem = scenario.problem();
   const PlanOptions options = site_options(scenario, keywords);
   const std::vector<Pose> from = list_of(starts, "starts");
   const bool is_table = py::isinstance<SiteTable>(goals);
   const SiteTable table =
       is_table ? goals.cast<SiteTable>()
-               : table_of(problem, list_of(goals, "goals"), options, {.threads = jobs});
+               : table_of(problem, list_of(goals, "goals"), options, {.threads = threads_of(jobs)});
   const std::vector<SiteCost> costs =
-      costs_between(problem, from, table, options, jobs, iterations);
+      costs_between(problem, from, table, options, threads_of(jobs), iterations);
   const std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(from.size()),
                                           static_cast<py::ssize_t>(table.goals().size())};
   py::array_t<double> cost = empty_array(shape);
