@@ -56,9 +56,9 @@ constexpr std::int64_t most_doublings = 5;
 constexpr double far_apart = 12;
 /// Work of the first path of the tractor over a far way.
 constexpr std::int64_t work_of_far_way = 400;
-/// Steps of proving in the first round that nothing as wide as a body gets to the goal, and
-/// doublings of them.
-constexpr std::int64_t steps_of_proof = 128, most_doublings_of_proof = 7;
+/// Steps of proving in a round that nothing as wide as a body gets to the goal. More of them delay
+/// the first path on a site, fewer the proof.
+constexpr std::int64_t steps_of_proof = 256;
 
 Share share(const Turns& turns, std::int64_t first_round) {
   return [turns, first_round](const Progress& now) {
@@ -95,7 +95,7 @@ void add_provers(anytime::Portfolio& portfolio, const Setting& setting) {
   portfolio.slots.push_back(
       {.name = "wall prover", .worker = wall_prover(setting), .share = nothing});
   portfolio.slots.back().proofs = [](const Progress& now) {
-    return now.has_path ? 0 : steps_of_proof << std::min(now.rounds, most_doublings_of_proof);
+    return now.has_path ? 0 : steps_of_proof;
   };
   if (!anytime::has_rules_of_ground(setting.task)) return;
   portfolio.slots.push_back(
