@@ -44,8 +44,7 @@ ViaNodes::ViaNodes(const Task& task, const search::CostRule& rule)
 }
 
 bool ViaNodes::is_free(const ViaNode& node) const {
-  return task_.checker->is_free(node.state) && exits_.may_come(node.state) &&
-         exits_.may_leave(node.state, node.gear);
+  return task_.checker->is_free(node.state) && exits_.may_leave(node.state, node.gear);
 }
 
 /// Adds a node for each gear in which the vehicle may go on; one if it stands there and a gear
