@@ -178,6 +178,10 @@ class CollisionChecker {
   [[nodiscard]] bool is_free(const LocalState& from, std::span<const Segment> segments,
                              InTime in_time = InTime::onward) const noexcept;
 
+  /// Whether a segment breaks no rule of a zone, whatever else is in its way.
+  [[nodiscard]] bool obeys_zones(const LocalState& from, const Segment& segment,
+                                 InTime in_time) const noexcept;
+
   /// Whether a zone or mask has a price, and whether one has a largest speed.
   [[nodiscard]] bool has_prices() const noexcept;
   [[nodiscard]] bool has_speed_limits() const noexcept;

@@ -293,6 +293,11 @@ bool CollisionChecker::is_free(const LocalState& from, std::span<const Segment> 
          (!data_->zones || data_->zones->allow(from, segments, in_time));
 }
 
+bool CollisionChecker::obeys_zones(const LocalState& from, const Segment& segment,
+                                   InTime in_time) const noexcept {
+  return !data_->zones || data_->zones->allow(from, {&segment, 1}, in_time);
+}
+
 bool CollisionChecker::has_prices() const noexcept {
   return data_->zones && data_->zones->have_prices();
 }

@@ -23,12 +23,12 @@ namespace {
 constexpr double rounding = 1e-12;  // relative rounding of a sum of lengths
 /// Answer if zones let the vehicle leave the start, or come to the goal, in no gear.
 std::optional<PlannerAnswer> kept_by_zones(const Task& task, const CostOptions& costs) {
-  const planning::ZoneExits exits(task, search::cost_rule(costs, task));
-  if (!exits.may_leave(start_state(task))) {
+  const search::CostRule rule = search::cost_rule(costs, task);
+  if (!planning::may_leave(task, rule, start_state(task))) {
     return PlannerAnswer{.status = PlanStatus::start_in_collision,
                          .reason = "zones let the vehicle leave the start in no gear"};
   }
-  if (!exits.may_come(goal_state(task))) {
+  if (!planning::may_come(task, rule, goal_state(task))) {
     return PlannerAnswer{.status = PlanStatus::goal_in_collision,
                          .reason = "zones let the vehicle come to the goal in no gear"};
   }

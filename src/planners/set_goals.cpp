@@ -13,6 +13,7 @@
 #include "planners/last_stretch.h"
 #include "planners/leg_bounds.h"
 #include "planners/rig/towed.h"
+#include "planners/zone_exits.h"
 #include "problem/goal_set.h"
 
 namespace vandplan::planning {
@@ -45,8 +46,7 @@ SetGoals::SetGoals(const Task& task, const PlanOptions& options, double time_pri
       alone_(task),
       options_(options),
       time_price_(time_price),
-      pricing_(task, options.cost, time_price),
-      exits_(task, pricing_.rule()) {
+      pricing_(task, options.cost, time_price) {
   alone_.goal_set.clear();
 }
 
@@ -130,7 +130,7 @@ std::optional<SetGoal> SetGoals::at(const GoalPoint& point) {
                .task = problem::task_to(alone_, state, task_.goal_set[point.region].curvature,
                                         options_.clearance)};
   if (!goal.task.checker->is_free(state)) return std::nullopt;
-  if (!is_there(goal.task) && !exits_.may_come(state)) {
+  if (!is_there(goal.task) && !may_come(goal.task, pricing_.rule(), state)) {
     is_kept_by_zones_ = true;
     return std::nullopt;
   }

@@ -11,7 +11,6 @@
 #include "planners/goal_poses.h"
 #include "planners/path_search.h"
 #include "planners/pricing.h"
-#include "planners/zone_exits.h"
 #include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
 #include "vandplan/search.h"
@@ -39,8 +38,8 @@ class SetGoals {
   /// The goal with the least bound of those that wait; none if none waits.
   [[nodiscard]] std::optional<SetGoal> next();
 
-  /// The goal at a point; none if the vehicle cannot stand there, zones do not let it come there,
-  /// or not straight.
+  /// The goal at a point; none if the vehicle cannot stand there, or zones do not let it come to
+  /// the goal, or nothing lets it come there straight.
   [[nodiscard]] std::optional<SetGoal> at(const GoalPoint& point);
 
   /// Whether the goal is all of its region.
@@ -73,7 +72,6 @@ class SetGoals {
   const PlanOptions& options_;
   double time_price_;
   Pricing pricing_;
-  ZoneExits exits_;
   std::vector<Waiting> waiting_;  // heap: the least bound first, then the first in order
   std::size_t looked_at_ = 0;     // goals looked at
   std::size_t free_ = 0;          // goals where the vehicle can stand

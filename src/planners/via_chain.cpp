@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "planners/zone_exits.h"
 #include "vandplan/steering.h"
 
 namespace vandplan::planning {
@@ -19,8 +20,7 @@ constexpr double share_of_curvature = 4.0;
 
 }  // namespace
 
-ViaNodes::ViaNodes(const Task& task, const search::CostRule& rule)
-    : task_(task), rule_(rule), exits_(task, rule) {
+ViaNodes::ViaNodes(const Task& task, const search::CostRule& rule) : task_(task), rule_(rule) {
   for (const Via& via : task.via) {
     Task& alone = tasks_.emplace_back(task);
     alone.via.clear();
@@ -44,7 +44,7 @@ ViaNodes::ViaNodes(const Task& task, const search::CostRule& rule)
 }
 
 bool ViaNodes::is_free(const ViaNode& node) const {
-  return task_.checker->is_free(node.state) && exits_.may_leave(node.state, node.gear);
+  return task_.checker->is_free(node.state) && may_leave(task_, rule_, node.state, node.gear);
 }
 
 /// Adds a node for each gear in which the vehicle may go on; one if it stands there and a gear
@@ -53,10 +53,11 @@ void ViaNodes::add_gears(std::size_t via, const ViaNode& node, std::vector<ViaNo
   const bool stands = task_.via[via].stop;
   const bool is_any = stands && rule_.gear_change_cost == 0.0;
   for (const search::GearSign gear : {1, -1}) {
-    if (!(is_any ? exits_.may_leave(node.state) : exits_.may_leave(node.state, gear))) continue;
+    const search::GearSign goes_on = is_any ? 0 : gear;
+    if (!may_leave(task_, rule_, node.state, goes_on)) continue;
     ViaNode& added = nodes.emplace_back(node);
     added.number = nodes.size() - 1;
-    added.gear = is_any ? 0 : gear;
+    added.gear = goes_on;
     added.stands = stands;
     if (is_any) return;
   }

@@ -14,7 +14,6 @@
 
 #include "planners/goal_poses.h"
 #include "planners/path_search.h"
-#include "planners/zone_exits.h"
 #include "vandplan/path.h"
 #include "vandplan/problem.h"
 #include "vandplan/search.h"
@@ -76,7 +75,6 @@ class ViaNodes {
 
   const Task& task_;
   search::CostRule rule_;
-  ZoneExits exits_;
   std::vector<Task> tasks_;  // of each via: a task with the via as its set of goals
   std::vector<std::vector<ViaNode>> nodes_;
   std::vector<std::size_t> looked_at_;

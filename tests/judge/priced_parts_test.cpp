@@ -12,6 +12,7 @@
 
 #include "judge/track.h"
 #include "judge/zone_prices.h"
+#include "support/grids.h"
 #include "vandplan/collision.h"
 
 namespace vandplan {
@@ -26,16 +27,6 @@ judge::PricedPart part_along_a_line(const Mask& mask, judge::AtEdge at_edge) {
   return parts.empty() ? judge::PricedPart{} : parts[0];
 }
 
-OccupancyGrid two_cells() {
-  OccupancyGrid map;
-  map.resolution = 10;
-  map.origin = {0, -10, 0};
-  map.columns = 1;
-  map.rows = 2;
-  map.cells = std::make_shared<const std::vector<Cell>>(2, Cell::free);
-  return map;
-}
-
 Mask with_halves(Mask mask) {
   mask.percents =
       std::make_shared<const std::vector<std::uint8_t>>(std::vector<std::uint8_t>{0, 50});
@@ -43,7 +34,7 @@ Mask with_halves(Mask mask) {
 }
 
 TEST(PricedParts, TakeTheDearerCellAtItsLineWhereThatCountsAsInside) {
-  const Mask mask = with_halves(cost_mask(two_cells(), 4));
+  const Mask mask = with_halves(cost_mask(grid_of({".", "."}, 10, {0, -10, 0}), 4));
   EXPECT_NEAR(static_cast<double>(part_along_a_line(mask, judge::AtEdge::inside).factor),
               mask.base + 50 * mask.multiplier, 1e-12);
   EXPECT_NEAR(static_cast<double>(part_along_a_line(mask, judge::AtEdge::outside).factor),
@@ -51,7 +42,7 @@ TEST(PricedParts, TakeTheDearerCellAtItsLineWhereThatCountsAsInside) {
 }
 
 TEST(PricedParts, TakeTheSlowerCellAtItsLineWhereThatCountsAsInside) {
-  const Mask mask = with_halves(speed_mask(two_cells(), 4));
+  const Mask mask = with_halves(speed_mask(grid_of({".", "."}, 10, {0, -10, 0}), 4));
   EXPECT_NEAR(static_cast<double>(part_along_a_line(mask, judge::AtEdge::inside).max_speed),
               mask.base + 50 * mask.multiplier, 1e-12);
   EXPECT_EQ(part_along_a_line(mask, judge::AtEdge::outside).max_speed,

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -112,12 +113,8 @@ TEST(ZoneBound, LeavesOutSecondsWhereTheVehicleGainsSpeed) {
 }
 
 TEST(ZoneBound, CountsTheLeastOfAMask) {
-  OccupancyGrid map;
-  map.resolution = 1;
-  map.origin = {15, -20, 0.1};
-  map.columns = 10;
-  map.rows = 40;
-  map.cells = std::make_shared<const std::vector<Cell>>(400, Cell::free);
+  const std::vector<std::string> rows(40, std::string(10, '.'));
+  const OccupancyGrid map = grid_of(rows, 1, {15, -20, 0.1});
   std::vector<std::uint8_t> percents(400, 50);
   Scenario scenario = turned_gate(0, {});
   scenario.masks = {cost_mask(map, 4)};

@@ -24,6 +24,7 @@ std::size_t slot_of(std::uint64_t key, std::size_t size) {
 /// Most locks to either side of straight: each lock is one more cell at every pose. In tight slots,
 /// where fine searches look, two locks miss paths with fewer gear changes.
 constexpr int max_locks = 3;
+/// Most locks to either side in coarse searches, which find the first route where there is room.
 constexpr int max_coarse_locks = 2;
 
 /// Number of locks to either side that makes a clothoid from lock to lock about one step long.
