@@ -19,6 +19,7 @@ constexpr double usual_angle = 0.7;       // usual hitch angle in a turn [rad]
 constexpr double near_steps = 3;          // cost-to-go below which the other root is tried [steps]
 constexpr int expansions_per_bridge = 5;  // odd, so that both searches have bridges
 constexpr int most_halvings = 2;          // halvings of a step that would fold the rig up
+constexpr int steps_changed = 16;         // steps on either side of a gap that change to close it
 
 /// Box around start and goal for the guides.
 Bounds around(const Task& task) {
@@ -36,6 +37,11 @@ Bounds around(const Task& task) {
 Segment backwards(const Segment& segment) {
   if (segment.curvature_rate == 0.0) return {segment.curvature, -segment.length};
   return {search::last_driven(segment).curvature, -segment.length, -segment.curvature_rate};
+}
+
+/// Appends what is driven from the end of the segments back to their begin.
+void append_backwards(std::vector<Segment>& whole, const std::vector<Segment>& segments) {
+  for (auto it = segments.rbegin(); it != segments.rend(); ++it) whole.push_back(backwards(*it));
 }
 
 /// Primitives of each level: full lock and a gentle turn to either side, and straight on.
@@ -109,6 +115,7 @@ RigSearch::RigSearch(const Task& task, const CostRule& rule, const Guides& guide
                      const Fineness& fineness)
     : task_(task),
       wheels_(task.vehicle, task.steering),
+      closer_(task.vehicle, task.steering),
       steering_(steering_of(task.vehicle)),
       fineness_(fineness),
       trailer_radius_(task.vehicle.trailer->wheelbase /
@@ -127,7 +134,6 @@ RigSearch::Side RigSearch::side_from(const State& root, const State& target, con
   Side side{.rule = rule,
             .root = root,
             .target = target,
-            .before = before,
             .target_trailer = trailer_pose(task_.vehicle, target),
             .grid = &grid,
             .nodes = {{root, {}, before, 0.0, 0.0, -1, true, 0}}};
@@ -313,14 +319,14 @@ void RigSearch::meet(std::size_t which, std::int32_t id) {
   }
 }
 
-/// The segments from the root of a side to a state.
-std::vector<Segment> RigSearch::branch(const Side& side, std::int32_t id) const {
+/// The segments of a side from one state to a later one on the same branch.
+std::vector<Segment> RigSearch::branch(const Side& side, std::int32_t from, std::int32_t to) const {
   std::vector<Command> commands;
-  for (; id > 0; id = side.nodes[static_cast<std::size_t>(id)].parent) {
+  for (std::int32_t id = to; id != from; id = side.nodes[static_cast<std::size_t>(id)].parent) {
     commands.push_back(side.nodes[static_cast<std::size_t>(id)].command);
   }
   std::ranges::reverse(commands);
-  return wheels_.driven(commands, side.before);
+  return wheels_.driven(commands, side.nodes[static_cast<std::size_t>(from)].driven);
 }
 
 /// Whether the tractor could drive straight from one place to another.
@@ -349,14 +355,35 @@ void RigSearch::bridge(std::size_t which, std::int32_t id) {
   if (is_free(sides_[0], begin, piece->view())) join(from, to, piece->view());
 }
 
+/// The state some steps before another one on its branch.
+std::int32_t RigSearch::steps_before(const Side& side, std::int32_t id, int steps) {
+  for (int i = 0; i < steps && id > 0; ++i) id = side.nodes[static_cast<std::size_t>(id)].parent;
+  return id;
+}
+
+/// [3] Closes the gap between a state of each search, after `between` from the first one. Only the
+/// steps near the gap change: the others are free already, and a long branch would swing.
 void RigSearch::join(std::int32_t forward, std::int32_t backward,
                      std::span<const Segment> between) {
   ++closings_;
-  std::vector<Segment> segments = branch(sides_[0], forward);
-  segments.insert(segments.end(), between.begin(), between.end());
-  std::vector<Segment> back = branch(sides_[1], backward);
-  std::ranges::reverse(back);
-  for (const Segment& segment : back) segments.push_back(backwards(segment));
+  const auto& [ahead, back] = sides_;
+  const std::int32_t first = steps_before(ahead, forward, steps_changed);
+  const std::int32_t last = steps_before(back, backward, steps_changed);
+  const Node& begin = ahead.nodes[static_cast<std::size_t>(first)];
+  const Node& end = back.nodes[static_cast<std::size_t>(last)];
+  const search::DrivenBeside ends = {begin.driven, {-end.driven.gear, end.driven.curvature}};
+
+  std::vector<Segment> changed = branch(ahead, first, forward);
+  changed.insert(changed.end(), between.begin(), between.end());
+  append_backwards(changed, branch(back, last, backward));
+  std::vector<Command> commands = wheels_.commands(changed, ends);
+  if (!closer_.close(begin.state, commands, end.state, ends)) return;
+  changed = wheels_.driven(wheels_.tidied(commands, ends.before), ends.before);
+  if (!is_free(ahead, begin.state, changed)) return;
+
+  std::vector<Segment> segments = branch(ahead, 0, first);
+  segments.insert(segments.end(), changed.begin(), changed.end());
+  append_backwards(segments, branch(back, 0, last));
   found_ = exact_commands(task_, segments);
 }
 

@@ -71,7 +71,7 @@ class RigSearch {
 
   [[nodiscard]] std::int64_t nodes() const;
   [[nodiscard]] std::int64_t checks() const { return checks_; }
-  /// Drives that were closed, and states that were steered to.
+  /// Gaps that were to be closed, and states that were steered to.
   [[nodiscard]] std::int64_t solves() const { return closings_ + bridges_; }
 
  private:
@@ -112,7 +112,6 @@ class RigSearch {
   struct Side {
     CostRule rule;  // prices of driving from the root
     State root, target;
-    search::Driven before;  // gear and curvature at the root
     Pose target_trailer;
     const search::GridDistance* grid;
     std::vector<Node> nodes;
@@ -139,15 +138,18 @@ class RigSearch {
   [[nodiscard]] bool turn_in_time(const search::Driven& here, const search::Driven& there,
                                   int level) const;
   void meet(std::size_t which, std::int32_t id);
-  [[nodiscard]] std::vector<Segment> branch(const Side& side, std::int32_t id) const;
+  [[nodiscard]] std::vector<Segment> branch(const Side& side, std::int32_t from,
+                                            std::int32_t to) const;
   [[nodiscard]] bool is_in_sight(const Pose& from, const Pose& to);
   void bridge(std::size_t which, std::int32_t id);
+  [[nodiscard]] static std::int32_t steps_before(const Side& side, std::int32_t id, int steps);
   void join(std::int32_t forward, std::int32_t backward, std::span<const Segment> between = {});
   [[nodiscard]] bool is_free(const Side& side, const State& from,
                              std::span<const Segment> segments);
 
   const Task& task_;
   Wheels wheels_;
+  Closer closer_;
   /// Exact steering; none for vehicles that it does not support.
   std::optional<RigSteering> steering_;
   Fineness fineness_;
