@@ -511,9 +511,10 @@ TEST(RigPlanning, DrivesForwardOnOpenGroundWhereThatIsCheaper) {
 // A drive that backs up by a metre or three is found sooner, and no search among both gears leads
 // away from it.
 TEST(RigPlanning, DrivesAroundWhereBackingUpIsDear) {
-  const auto expect_around = [](const Scenario& yard, double reverse_weight, double enough) {
+  const auto expect_around = [](const Scenario& yard, double reverse_weight, double enough,
+                                int iterations = 10000) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-      PlanOptions options = with_iterations(is_sanitized ? 100 : 10000, seed);
+      PlanOptions options = with_iterations(is_sanitized ? 100 : iterations, seed);
       options.cost = driver_style;
       options.cost.reverse_weight = reverse_weight;
       options.steering = Steering::reeds_shepp;
@@ -539,6 +540,10 @@ TEST(RigPlanning, DrivesAroundWhereBackingUpIsDear) {
   narrow.obstacles = {{{-6.52, 13.06}, {1.89, 5.75}, {5.14, 9.49}, {-3.27, 16.8}},
                       {{15.53, 0.45}, {19.98, 8.33}, {17.79, 9.57}, {13.34, 1.69}}};
   expect_around(narrow, 123.2662, 110);
+  // Backing up by 6 m costs 64.3 m.
+  Scenario open{.vehicle = semitrailer(), .bounds = {-60, 60, -60, 60}};
+  open.goal = {6, 6, pi / 2};
+  expect_around(open, 5, 57.5, 80000);
 }
 
 // Prices decide what is cheap, and not whether and when there is a path.

@@ -27,8 +27,13 @@ constexpr std::size_t most_parts = 32;      // most parts of the path that one s
 /// Share of its limit to which the hitch angle is set where the trailer would fold up.
 constexpr double fold_kept = 0.5;
 
-/// Least turning radius of the tractor on one path after the other [turning radii of the rig].
-constexpr std::array radii = {1.3, 1.05, 1.6};
+/// How one path after the other is planned.
+struct Manner {
+  double radius;    ///< least turning radius of the tractor [turning radii of the rig]
+  bool is_forward;  ///< whether the path is planned and followed in forward gear alone
+};
+/// Without the forward one, drives that back up a little would keep out longer ones that never do.
+constexpr std::array<Manner, 3> manners = {{{1.3, false}, {1.05, false}, {1.6, true}}};
 /// Prices of a metre in reverse: of the first paths, of the next ones, and so on [m].
 constexpr std::array reverse_weights = {20.0, 2.0};
 /// Clearance below which metres of a path cost more [wheelbases of the trailer].
@@ -226,26 +231,27 @@ bool BehindTractor::follow_table() {
   const Task alone = tractor_task(setting_->task, 0.0);
   const auto way = sites::way_in_world(*setting_->site, alone, setting_->options.cost);
   if (!way || way->path.segments.empty()) return false;
-  follow_way(way->path.segments);
+  follow_way(way->path.segments, setting_->options.cost.gears);
   return true;
 }
 
-void BehindTractor::follow_way(std::span<const Segment> way) {
-  const search::CostRule rule =
-      search::restricted(search::cost_rule(driver_style), setting_->options.cost.gears);
+void BehindTractor::follow_way(std::span<const Segment> way, AllowedGears gears) {
+  const search::CostRule rule = search::restricted(search::cost_rule(driver_style), gears);
   follower_ = std::make_unique<Follower>(setting_->task, rule, way);
   work_left_ = most_work_;
 }
 
-// [1] Begins to plan a path of the tractor, on another radius each time.
+// [1] Begins to plan a path of the tractor, in another manner each time. It gets more work if the
+// one before led to no drive.
 void BehindTractor::begin(const Budget& budget) {
   const std::size_t path = paths_++;
-  if (path > 0) {
+  const Manner& manner = manners[path % manners.size()];
+  if (path > 0 && !std::exchange(has_led_to_drive_, false)) {
     most_work_ = std::clamp(2 * most_work_, first_later_work, most_later_work);
   }
   work_left_ = most_work_;
   const Task& task = setting_->task;
-  alone_ = tractor_task(task, radii[path % radii.size()] * turning_radius(task.vehicle));
+  alone_ = tractor_task(task, manner.radius * turning_radius(task.vehicle));
   if (!alone_->checker->is_free(alone_->start) || !alone_->checker->is_free(alone_->goal)) return;
   options_ = setting_->options;
   options_.cost = driver_style;
@@ -253,6 +259,9 @@ void BehindTractor::begin(const Budget& budget) {
   options_.cost.clearance_distance = roomy * task.vehicle.trailer->wheelbase;
   options_.cost.initial_gear = setting_->options.cost.initial_gear;
   options_.cost.gears = setting_->options.cost.gears;
+  if (manner.is_forward && options_.cost.gears == AllowedGears::both) {
+    options_.cost.gears = AllowedGears::forward;
+  }
   options_.budget.seed = stream_seed(seed_, paths_);
   options_.budget.threads = 1;
   options_.budget.target_gap.reset();
@@ -272,7 +281,7 @@ std::int64_t BehindTractor::plan(std::int64_t most) {
   if (goes_on && work_left_ > 0) return steps;
   const std::optional<std::vector<Segment>> way = path_->path();
   path_.reset();
-  if (way && !way->empty()) follow_way(*way);
+  if (way && !way->empty()) follow_way(*way, options_.cost.gears);
   return steps;
 }
 
@@ -285,6 +294,7 @@ std::optional<anytime::Drive> BehindTractor::follow() {
   if (!drive) return std::nullopt;
   auto commands = commands::exact_commands(setting_->task, *drive);
   if (!commands) return std::nullopt;
+  has_led_to_drive_ = true;
   return anytime::Drive{.commands = *std::move(commands)};
 }
 

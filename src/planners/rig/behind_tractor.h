@@ -36,7 +36,7 @@ class BehindTractor final : public ChainSource {
  private:
   void begin(const search::Budget& budget);
   bool follow_table();
-  void follow_way(std::span<const Segment> way);
+  void follow_way(std::span<const Segment> way, AllowedGears gears);
   std::int64_t plan(std::int64_t most);
   [[nodiscard]] std::optional<anytime::Drive> follow();
 
@@ -44,6 +44,7 @@ class BehindTractor final : public ChainSource {
   std::int64_t most_work_;
   std::uint64_t seed_;
   bool has_asked_table_ = false;                // whether the way of the table was looked for
+  bool has_led_to_drive_ = false;               // whether the last path led to a drive of the rig
   std::size_t paths_ = 0;                       // paths begun so far
   std::int64_t work_left_ = 0;                  // work left for the path, or for following it
   std::optional<Task> alone_;                   // task of the tractor

@@ -19,7 +19,10 @@ namespace {
 constexpr double worth_a_trial = 1.3;
 /// A search has a step that is so many times the step of the one before, for some searches.
 constexpr double finer = 0.7;
-constexpr std::size_t finer_rounds = 6;  // searches until the first step comes again
+constexpr std::size_t finer_rounds = 6;  // searches of a cycle, after which steps are large again
+/// Shift of the steps from one cycle to the next [searches]. Multiples of the golden ratio spread
+/// evenly, so no step comes again: a search with the same step would find the same drive.
+constexpr double shift_of_cycle = 0.618;
 constexpr std::size_t most_rounds = 16;  // searches after which they grow no more
 constexpr double first_nodes = 40000.0;  // nodes at which the first search of a line ends
 
@@ -70,7 +73,9 @@ void Searches::begin(Line& line) {
   line.task = has_found_ ? shift % tasks_.size() : 0;
   line.has_prices_in_force = rule == 0;
   const std::size_t grown = std::min(round, most_rounds);
-  const double step = line.kind.step * std::pow(finer, grown % finer_rounds);
+  const double cycle = shift_of_cycle * static_cast<double>(round / finer_rounds);
+  const double exponent = static_cast<double>(round % finer_rounds) + cycle - std::floor(cycle);
+  const double step = line.kind.step * std::pow(finer, exponent);
   const bool is_forward = line.kind.is_forward && setting_->pricing.rule().allows_both();
   line.search.emplace(
       *tasks_[line.task], is_forward ? forward_rules_[rule] : rules_[rule], setting_->guides,
