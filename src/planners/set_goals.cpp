@@ -22,9 +22,10 @@ namespace {
 /// Most goals of a region that are searched for: with one interval, and with several.
 constexpr std::size_t max_goals_of_line = 16;
 constexpr std::size_t max_goals_of_region = 64;
-constexpr std::size_t max_goals_of_set = 2048;   // most goals of all regions, but two of each
-constexpr std::size_t halvings_of_set = 20'000;  // halvings of parts of all regions for a bound
-constexpr std::int64_t work_past_vias = 20'000;  // pairs of parts of vias that a bound looks at
+constexpr std::size_t max_goals_of_set = 2048;      // most goals of all regions, but two of each
+constexpr std::size_t halvings_of_set = 20'000;     // halvings of parts of all regions for a bound
+constexpr std::size_t single_regions_at_once = 64;  // single poses between two looks at the budget
+constexpr std::int64_t work_past_vias = 20'000;     // pairs of parts of vias that a bound looks at
 
 /// Whether a rig that comes to a line as `before` says keeps its hitch angle along the line, in
 /// spite of rounding errors.
@@ -78,11 +79,12 @@ void SetGoals::spread_out(const search::Budget& budget) {
   const std::size_t share = std::max<std::size_t>(max_goals_of_set / regions, 2);
   std::size_t order = 0;
   for (std::size_t region = 0; region < regions; ++region) {
-    if (!waiting_.empty() && budget.is_interrupted()) {
+    const bool is_single = !is_continuous(task_.goal_set[region]);
+    const bool is_slow = !is_single || region % single_regions_at_once == 0;
+    if (is_slow && !waiting_.empty() && budget.is_interrupted()) {
       saw_all_ = false;
       break;
     }
-    const bool is_single = !is_continuous(task_.goal_set[region]);
     const bool is_line = number_of_intervals(task_, region) == 1;
     const std::size_t most = std::min(is_line ? max_goals_of_line : max_goals_of_region, share);
     spread(task_, region, most, [&](const GoalPoint& point) {
