@@ -85,8 +85,9 @@ class Composer {
   template <class Make>
   [[nodiscard]] std::unique_ptr<Seeker> seeker(const Task& task, std::uint64_t stream,
                                                Make make) const;
+  [[nodiscard]] Share share_of_search(const Row& row, const Seeker& own, const Seeker& other) const;
   void take_known(const Path& known);
-  void add_search(std::string_view name, std::uint64_t stream, Root root, const Row& row);
+  void add_searches();
   void add_length_prover();
   void add_detours();
   void add_survey();
@@ -208,12 +209,34 @@ std::unique_ptr<Seeker> Composer::seeker(const Task& task, std::uint64_t stream,
   return std::make_unique<Seeker>(task, rule_, seed(stream), make);
 }
 
-// [2] [3] Adds lattice searches from one end.
-void Composer::add_search(std::string_view name, std::uint64_t stream, Root root, const Row& row) {
-  auto worker = seeker(task_, stream, [&task = task_, &rule = rule_, root] {
-    return std::make_unique<Ladder>(task, rule, root);
-  });
-  add(name, std::move(worker), share(row));
+// Share of the searches from one end. While there is no route, the end with the finer search gets
+// more: its former searches ended soon, as there is little room around it, and it needs fine steps.
+Share Composer::share_of_search(const Row& row, const Seeker& own, const Seeker& other) const {
+  if (is_far_) return share(row);
+  return [usual = share(row), &own, &other](const Progress& now) {
+    const std::int64_t iterations = usual(now);
+    if (now.has_path || iterations == 0) return iterations;
+    const auto level = [](const Seeker& searches) -> std::int64_t {
+      const Source* const ladder = searches.source();
+      return ladder == nullptr ? 0 : static_cast<const Ladder*>(ladder)->level();
+    };
+    return iterations + shares::moved_to_finer_search(level(own) - level(other));
+  };
+}
+
+// [2] [3] Adds lattice searches from both ends.
+void Composer::add_searches() {
+  const auto search_from = [this](Root root, std::uint64_t stream) {
+    return seeker(task_, stream, [&task = task_, &rule = rule_, root] {
+      return std::make_unique<Ladder>(task, rule, root);
+    });
+  };
+  auto from_goal = search_from(Root::goal, of_search_from_goal);
+  auto from_start = search_from(Root::start, of_search_from_start);
+  Share of_goal = share_of_search(shares::search_from_goal, *from_goal, *from_start);
+  Share of_start = share_of_search(shares::search_from_start, *from_start, *from_goal);
+  add("search from the goal", std::move(from_goal), std::move(of_goal));
+  add("search from the start", std::move(from_start), std::move(of_start));
 }
 
 // [6] Adds the length prover. The bound around obstacles comes before the bound with headings. Once
@@ -330,8 +353,7 @@ Portfolio Composer::portfolio() && {
     relaxed->steering = Steering::reeds_shepp;
     portfolio_.relaxed = std::move(relaxed);
   }
-  add_search("search from the goal", of_search_from_goal, Root::goal, shares::search_from_goal);
-  add_search("search from the start", of_search_from_start, Root::start, shares::search_from_start);
+  add_searches();
   if (is_far_ || rule_.is_length()) {
     add("refine", std::make_unique<Refiner>(task_, rule_, seed(of_refine)), share(shares::refine));
   }

@@ -45,6 +45,11 @@ inline constexpr Row search_from_start{.until_route = {1, 64},
                                        .by_prices = 24,
                                        .with_gap_or_known = {6, 48},
                                        .far_until_route = {64, 64}};
+/// Iterations of a round that move to the searches from one end, if their present search is so many
+/// steps finer than that from the other end. Neither end is ever left without any.
+constexpr std::int64_t moved_to_finer_search(std::int64_t levels) {
+  return 15 * std::clamp<std::int64_t>(levels, -4, 4);
+}
 inline constexpr Row refine{.by_length = 256, .with_gap_or_known = {0, 48}};
 inline constexpr Row length_prover{
     .by_length = 2, .by_time = 2, .by_prices = 1, .with_gap_or_known = {0, 1}};

@@ -37,6 +37,8 @@ class Ladder final : public Source {
   /// False once the finest search is done.
   [[nodiscard]] bool has_work() const override { return !finished_; }
   [[nodiscard]] Counts counts() const override;
+  /// Number of searches begun before there is a route, from coarse to fine.
+  [[nodiscard]] std::int64_t level() const { return static_cast<std::int64_t>(level_); }
 
  private:
   [[nodiscard]] bool takes_turns() const;
