@@ -432,7 +432,7 @@ TEST(SiteTable, OfARigIsThatOfItsTractor) {
   EXPECT_EQ(site_table_to_bytes(table), site_table_to_bytes(table_to(alone, prices)));
   EXPECT_TRUE(site_way(table, alone, prices));
   PlanOptions options;
-  options.budget.max_iterations = 2000;
+  options.budget.max_iterations = 5000;
   EXPECT_TRUE(plan(rig, using_site(table, options)).path);
 }
 
