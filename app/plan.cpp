@@ -157,7 +157,8 @@ int run(const PlanArguments& arguments) {
     const auto processors = static_cast<int>(std::thread::hardware_concurrency());
     const int jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1, processors);
     return plan_poses(read, planner, options,
-                      {*arguments.poses, arguments.output, jobs, arguments.shard, arguments.json});
+                      {*arguments.poses, arguments.site, arguments.output, jobs, arguments.shard,
+                       arguments.json});
   }
   const std::vector<ResultRecord> records = plan_goals(read, planner, options);
   if (arguments.output) write_results(*arguments.output, read.file, records);

@@ -13,8 +13,10 @@
 
 #include "commands.h"
 #include "progress_bar.h"
+#include "vandplan/input_error.h"
 #include "vandplan/random.h"
 #include "vandplan/result_file.h"
+#include "vandplan/site_table.h"
 #include "wording.h"
 
 namespace vandplan::app {
@@ -59,6 +61,20 @@ std::vector<Problem> problems_of(const Problem& pattern, std::span<const Numbere
     problems.push_back(with_poses(pattern, pair.start, pair.goal));
   }
   return problems;
+}
+
+/// Throws InputError naming the table, or the line of a pair whose goal the table of the site
+/// lacks.
+void check_site(const SiteTable& site, const ScenarioProblems& read, const PlanOptions& options,
+                const PosesJob& job, const PosePairs& poses) {
+  try {
+    site.expect_made_for(read.problems.front(), options);
+  } catch (const InputError& error) {
+    throw InputError(*job.site, error.problem());
+  }
+  for (std::size_t i = 0; i < poses.pairs.size(); ++i) {
+    site.expect_goal(poses.pairs[i].goal, line_of_file(job.poses, poses.lines[i]));
+  }
 }
 
 /// Planner and options for all pairs, and the number of pairs planned at once.
@@ -129,6 +145,7 @@ int plan_poses(const ScenarioProblems& read, const Planner& planner, const PlanO
                const PosesJob& job) {
   const PosePairs poses = read_pose_pairs(job.poses);
   warn(poses.warnings);
+  if (options.site) check_site(*options.site, read, options, job, poses);
   const std::vector<NumberedPair> pairs = pairs_of(poses.pairs, job.shard);
   ResultRecord pattern;
   pattern.scenario = read.file.scenario.name;

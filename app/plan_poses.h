@@ -15,6 +15,7 @@ namespace vandplan::app {
 /// Arguments of `plan --poses`.
 struct PosesJob {
   std::string poses;                  ///< file of starts and goals
+  std::optional<std::string> site;    ///< file of the table of the site in the options
   std::optional<std::string> output;  ///< file of the results (JSON Lines or binary)
   int jobs = 1;                       ///< pairs planned at once; >= 1
   /// Part of the pairs that is planned, chosen by a hash of start and goal. None: all pairs.

@@ -45,6 +45,10 @@ std::string name_of(CostOptions cost, const Vehicle& vehicle) {
 
 }  // namespace
 
+std::string line_of_file(const std::string& file, int line) {
+  return fmt::format("{}:{}", file == "-" ? "standard input" : file, line);
+}
+
 std::string metres_text(double metres) { return with_unit(metres, length_units); }
 
 std::string seconds_text(double seconds) { return with_unit(seconds, time_units); }

@@ -15,6 +15,9 @@ namespace vandplan::app {
 
 using base::printable;
 
+/// A line of a file in messages: "docks.csv:3". "-" is standard input.
+[[nodiscard]] std::string line_of_file(const std::string& file, int line);
+
 /// A length as text in the unit that fits, with at least three digits: "35.120 m", "45.2 mm", "0
 /// m".
 [[nodiscard]] std::string metres_text(double metres);

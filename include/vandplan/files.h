@@ -214,6 +214,7 @@ struct PosePair {
 /// Many starts and goals.
 struct PosePairs {
   std::vector<PosePair> pairs;
+  std::vector<int> lines;  ///< line of each pair in the file, counted from 1
   /// Doubtful values that are not wrong: "file:line: what".
   std::vector<std::string> warnings;
 };
@@ -225,6 +226,7 @@ struct PosePairs {
 /// Many poses, in the scenario's frame.
 struct Poses {
   std::vector<Pose> poses;
+  std::vector<int> lines;  ///< line of each pose in the file, counted from 1
   /// Doubtful values that are not wrong: "file:line: what".
   std::vector<std::string> warnings;
 };

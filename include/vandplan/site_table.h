@@ -76,6 +76,9 @@ class SiteTable {
   /// InputError naming "site" that says which of them differs. The options must be complete.
   void expect_made_for(const Problem& problem, const PlanOptions& options) const;
 
+  /// Checks that a pose is one of the goals. Throws InputError naming `where` if it is none.
+  void expect_goal(const Pose& goal, const std::string& where = "site") const;
+
   /// A table of numbers, and the numbers of a table, for the library alone.
   explicit SiteTable(std::shared_ptr<const sites::SiteData> data);
   [[nodiscard]] const sites::SiteData& data() const noexcept { return *data_; }

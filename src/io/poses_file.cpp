@@ -97,7 +97,7 @@ std::vector<double> numbers_in(Columns columns, const std::vector<std::string_vi
   return values;
 }
 
-/// Calls `take(numbers, where)` for each line of a file that holds numbers.
+/// Calls `take(numbers, line, where)` for each line of a file that holds numbers.
 template <typename Take>
 void read_rows(const std::string& file, Columns columns, Take take) {
   const std::string text = read_file(file, largest_text);
@@ -115,7 +115,7 @@ void read_rows(const std::string& file, Columns columns, Take take) {
     const std::string where = fmt::format("{}:{}", name, number);
     const std::vector<std::string_view> cells = cells_of(line, columns.size());
     if (!may_be_header || !is_header(columns, cells, where)) {
-      take(numbers_in(columns, cells, where), where);
+      take(numbers_in(columns, cells, where), number, where);
     }
     may_be_header = false;
   }
@@ -142,13 +142,15 @@ void warn_of_degrees(const Pose& pose, const std::string& column, const std::str
 
 PosePairs read_pose_pairs(const std::string& file) {
   PosePairs read;
-  read_rows(file, columns_of_pairs, [&](const std::vector<double>& n, const std::string& where) {
+  const auto take = [&read](const std::vector<double>& n, int line, const std::string& where) {
     const PosePair& pair =
         read.pairs.emplace_back(PosePair{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}});
+    read.lines.push_back(line);
     check(pair.start, pair.goal, where);
     warn_of_degrees(pair.start, "start_heading", where, read.warnings);
     warn_of_degrees(pair.goal, "goal_heading", where, read.warnings);
-  });
+  };
+  read_rows(file, columns_of_pairs, take);
   if (read.pairs.empty()) {
     throw InputError(name_in_errors(file), "has no poses, expected a start and a goal on a line");
   }
@@ -157,11 +159,13 @@ PosePairs read_pose_pairs(const std::string& file) {
 
 Poses read_poses(const std::string& file) {
   Poses read;
-  read_rows(file, columns_of_poses, [&](const std::vector<double>& n, const std::string& where) {
+  const auto take = [&read](const std::vector<double>& n, int line, const std::string& where) {
     const Pose& pose = read.poses.emplace_back(Pose{n[0], n[1], n[2]});
+    read.lines.push_back(line);
     check(pose, pose, where);
     warn_of_degrees(pose, "heading", where, read.warnings);
-  });
+  };
+  read_rows(file, columns_of_poses, take);
   if (read.poses.empty()) {
     throw InputError(name_in_errors(file), "has no poses, expected x,y,heading on a line");
   }

@@ -58,6 +58,12 @@ void SiteTable::expect_made_for(const Problem& problem, const PlanOptions& optio
   expect_equal(data_->key, sites::site_key(*problem.world(), problem.vehicle(), options));
 }
 
+void SiteTable::expect_goal(const Pose& goal, const std::string& where) const {
+  if (sites::number_of(goals_, goal)) return;
+  throw InputError(
+      where, "the table has no such goal, expected one of its " + std::to_string(goals_.size()));
+}
+
 std::optional<SiteWay> site_way(const SiteTable& table, const Problem& problem,
                                 const PlanOptions& options) {
   const bool is_one = problem.goal_set().empty() && problem.via().empty();

@@ -171,10 +171,7 @@ void expect_serves(const SiteTable& table, const Task& task, const PlanOptions& 
   if (!task.moving.empty()) {
     throw InputError("site", "expected no moving obstacles: a table knows none");
   }
-  if (task.goal_set.empty() && !goal_in(table, task)) {
-    throw InputError("site", "the table has no such goal, expected one of its " +
-                                 std::to_string(table.goals().size()));
-  }
+  if (task.goal_set.empty()) table.expect_goal(to_scenario(*task.world, task.goal));
 }
 
 std::optional<SiteWay> way_in_world(const SiteTable& table, const Task& task,

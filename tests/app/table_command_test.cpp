@@ -399,6 +399,30 @@ TEST_F(TableCommand, OfASiteIsRefusedElsewhere) {
       (folder_ / "docks.csv") + ":2: has 2 values, expected x,y,heading");
 }
 
+TEST_F(TableCommand, OfASiteRefusesAPairBeforeItPlans) {
+  const std::string scenario = folder_ / "a.yaml";
+  const std::string table = folder_ / "yard.vst";
+  const std::string pairs = folder_ / "pairs.csv";
+  write_content(scenario, yard_from("{x: 10, y: 15, heading: 3}"));
+  write_content(pairs, "10,15,3,0,0,0\n# to a dock that is not in the table\n-17,9,1,1,0,0\n");
+  (void)json_of({"site", scenario, "-o", table});
+  const auto planned = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"plan", scenario, "--poses", pairs, "--site", table,
+                               "--max-iterations", "9", "--output", folder_ / "r.jsonl"});
+    return run_vandplan(more);
+  };
+  const Outcome outcome = planned({});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.err,
+            "vandplan: " + pairs + ":3: the table has no such goal, expected one of its 1\n");
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(planned({"--set", "reverse_weight=3"}).err,
+            "vandplan: " + table +
+                ": the table was made for other options: prices (style), gears or margin differ\n");
+  write_content(pairs, "10,15,3,0,0,0\n-17,9,1,0,0,0\n");
+  EXPECT_EQ(planned({}).status, 0);
+}
+
 TEST_F(TableCommand, OfASiteGivesAMatrix) {
   const std::string scenario = folder_ / "a.yaml";
   const std::string table = folder_ / "yard.vst";

@@ -40,6 +40,7 @@ TEST(PosesFile, TheFirstHeadingThatLooksLikeDegreesIsDoubted) {
   const PosePairs read = read_pose_pairs(
       folder.put("p.csv", "0,0,6.2831853,1,1,-6.2831853\n0,0,0,5,0,90\n0,0,180,5,0,0\n"));
   EXPECT_EQ(read.pairs.size(), 3U);
+  EXPECT_EQ(read.lines, (std::vector<int>{1, 2, 3}));
   ASSERT_EQ(read.warnings.size(), 1U);
   EXPECT_EQ(read.warnings[0].substr(folder.path().size() + 1),
             "p.csv:2: goal_heading: is 90 rad, more than a full turn; 90 degrees are 1.5708 rad");
@@ -98,6 +99,7 @@ TEST(PosesFile, HoldsPosesAlone) {
   const Poses read =
       read_poses(folder.put("p.csv", "x,y,heading\n1, 2.5,-0.5\n# dock\n3e1,4,90\n"));
   EXPECT_EQ(read.poses, (std::vector<Pose>{{1, 2.5, -0.5}, {30, 4, 90}}));
+  EXPECT_EQ(read.lines, (std::vector<int>{2, 4}));
   ASSERT_EQ(read.warnings.size(), 1U);
   EXPECT_NE(read.warnings[0].find("p.csv:4: heading: is 90 rad"), std::string::npos);
 }

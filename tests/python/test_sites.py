@@ -67,6 +67,11 @@ def test_a_matrix_has_a_row_for_each_start(yard, table):
     assert np.allclose(made[0, 0], cost[0, 0], rtol=0.1)
 
 
+def test_a_pair_whose_goal_the_table_lacks_is_named(yard, table):
+    with pytest.raises(vp.InputError, match=r"^goals\[1\]: the table has no such goal"):
+        vp.plan_many(yard, yard.start, [(0, 12, 0), (0, 13, 0)], site=table)
+
+
 def test_a_table_is_kept_in_a_file(yard, table, tmp_path):
     file = tmp_path / "yard.vst"
     table.save(file)

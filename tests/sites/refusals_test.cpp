@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -134,6 +135,20 @@ TEST(SiteRefusal, IsRefusedWithOptionsOutOfRange) {
                                   {-1e6, 1e6, -1e6, 1e6});
   EXPECT_EQ(refusal([&] { (void)make_site_table(wide, goals, drivers_options(), coarse); }),
             "cell: expected larger cells: the site has too many");
+}
+
+TEST(SiteRefusal, NamesAGoalThatTheTableLacks) {
+  const Problem problem = problem_of({20, 0, 0}, {0, 0, 0}, {}, area);
+  const SiteTable table = table_to(problem, drivers_options());
+  EXPECT_EQ(refusal([&] { table.expect_goal({1e-9, 0, 2 * std::numbers::pi}); }), "no refusal");
+  EXPECT_EQ(refusal([&] {
+              table.expect_goal({0, 0, 0.01});
+            }),
+            "site: the table has no such goal, expected one of its 1");
+  EXPECT_EQ(refusal([&] {
+              table.expect_goal({0, 1, 0}, "pairs.csv:3");
+            }),
+            "pairs.csv:3: the table has no such goal, expected one of its 1");
 }
 
 TEST(SiteRefusal, StopsAPlanForAnotherWorld) {

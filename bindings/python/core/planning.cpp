@@ -106,7 +106,12 @@ std::vector<RunResult> plan_pairs(const CheckedScenario& scenario, const py::obj
                   scenario.scenario().vehicle);
   std::vector<CheckedScenario> scenarios = scenarios_for(scenario, starts, goals);
   std::vector<Problem> problems;
-  for (const CheckedScenario& one : scenarios) problems.push_back(one.problem());
+  for (const CheckedScenario& one : scenarios) {
+    if (site) {
+      site->expect_goal(one.scenario().goal, "goals[" + std::to_string(problems.size()) + "]");
+    }
+    problems.push_back(one.problem());
+  }
   std::vector<PlanResult> results(problems.size());
   run_interruptibly(options, false, [&] {
     plan_many(problems, *chosen, options, jobs,
