@@ -33,11 +33,10 @@ struct MatrixArguments {
   bool json = false;
 };
 
-std::vector<Pose> poses_in(const std::string& file) {
-  const Poses poses = read_poses(file);
-  warn(poses.warnings);
-  return poses.poses;
-}
+/// Starts and goals by the lines of their files.
+struct Ends {
+  Poses starts, goals;
+};
 
 /// Rows "start,goal,cost,lower_bound", numbered as in the files from 0. A pair without a way or
 /// plan has no cost.
@@ -48,6 +47,58 @@ std::string csv_of(const std::vector<SiteCost>& costs, std::size_t goals) {
     text += fmt::format("{},{},{},{}\n", i / goals, i % goals, cost, costs[i].lower_bound);
   }
   return text;
+}
+
+/// Options of the table, and of the plans if there are any.
+PlanOptions options_of(const MatrixArguments& arguments, const ScenarioProblems& read) {
+  if (!arguments.iterations) return site_options(read, arguments.options);
+  for (const TypedOption& given : arguments.options) {
+    if (given.option != "max_iterations") continue;
+    throw InputError(given.typed, "is given twice, expected --max-iterations alone");
+  }
+  const Planner& planner = default_planner();
+  PlanOptions options = options_for(planner, read.file.options, arguments.options);
+  options.budget.max_iterations = arguments.iterations;
+  return complete(planner, options, read.problems.front().vehicle());
+}
+
+/// The table that is given, or else made. Throws InputError if it has other goals. A goal that is
+/// wrong is named by its line.
+SiteTable table_of(const MatrixArguments& arguments, const Problem& problem, const Poses& goals,
+                   const PlanOptions& options, const std::stop_token& stop) {
+  if (arguments.site) {
+    SiteTable table = read_site_table(*arguments.site);
+    if (table.goals() == goals.poses) return table;
+    throw InputError(arguments.goals, "has other goals than " + *arguments.site +
+                                          ", expected the same in the same order");
+  }
+  std::optional<SiteTable> table;
+  try {
+    table = make_site_table(problem, goals.poses, options,
+                            {.threads = threads_of(arguments.jobs), .stop = stop});
+  } catch (const InputError& error) {
+    throw named_by_line(error, "goals", arguments.goals, goals);
+  }
+  if (!table) throw InputError("matrix", "was stopped, nothing is written");
+  return *std::move(table);
+}
+
+/// The costs. What is wrong with the table names its file, a start that is wrong its line.
+std::vector<SiteCost> costs_of(const MatrixArguments& arguments, const Problem& problem,
+                               const Poses& starts, PlanOptions options, const SiteTable& table,
+                               const std::stop_token& stop) {
+  const int threads = threads_of(arguments.jobs);
+  try {
+    if (!arguments.iterations) return site_matrix(table, problem, starts.poses, options, threads);
+    options.budget.stop = stop;
+    options.site = std::make_shared<const SiteTable>(table);
+    return plan_matrix(problem, starts.poses, options, threads);
+  } catch (const InputError& error) {
+    if (error.where() == "site" && arguments.site) {
+      throw InputError(*arguments.site, error.problem());
+    }
+    throw named_by_line(error, "starts", arguments.starts, starts);
+  }
 }
 
 int make(const MatrixArguments& arguments) {
@@ -61,41 +112,15 @@ int make(const MatrixArguments& arguments) {
                      "has a trailer, and ways of a table are of the tractor alone: expected "
                      "--max-iterations, for costs of plans");
   }
-  const Planner& planner = default_planner();
-  PlanOptions options = options_for(planner, read.file.options, arguments.options);
-  options.budget.max_iterations = arguments.iterations;
-  options = complete(planner, options, problem.vehicle());
-  const std::vector<Pose> starts = poses_in(arguments.starts);
-  const std::vector<Pose> goals = poses_in(arguments.goals);
-  const int threads = threads_of(arguments.jobs);
-  std::optional<SiteTable> table;
-  if (arguments.site) {
-    table = read_site_table(*arguments.site);
-  } else {
-    table = make_site_table(problem, goals, options, {.threads = threads, .stop = stop});
-  }
-  if (!table) throw InputError("matrix", "was stopped, nothing is written");
-  if (table->goals() != goals) {
-    throw InputError(arguments.goals, "has other goals than " + *arguments.site +
-                                          ", expected the same in the same order");
-  }
+  const PlanOptions options = options_of(arguments, read);
+  const Ends ends{poses_in(arguments.starts), poses_in(arguments.goals)};
+  const SiteTable table = table_of(arguments, problem, ends.goals, options, stop);
   const auto begin = std::chrono::steady_clock::now();
-  std::vector<SiteCost> costs;
-  try {
-    if (arguments.iterations) {
-      options.budget.stop = stop;
-      options.site = std::make_shared<const SiteTable>(*table);
-      costs = plan_matrix(problem, starts, options, threads);
-    } else {
-      costs = site_matrix(*table, problem, starts, options, threads);
-    }
-  } catch (const InputError& error) {
-    if (error.where() != "site") throw;
-    throw InputError(*arguments.site, error.problem());
-  }
+  const std::vector<SiteCost> costs =
+      costs_of(arguments, problem, ends.starts, options, table, stop);
   if (stop.stop_requested()) throw InputError("matrix", "was stopped, nothing is written");
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
-  write_file(arguments.output, csv_of(costs, goals.size()));
+  write_file(arguments.output, csv_of(costs, ends.goals.poses.size()));
   if (arguments.output == "-") return exit_status::done;
   const auto found = std::count_if(costs.begin(), costs.end(),
                                    [](const SiteCost& cost) { return !std::isinf(cost.cost); });

@@ -40,55 +40,58 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 
 /// Goals of the table: of the file, or of the scenario. Throws InputError if a goal is a set of
 /// infinitely many.
-std::vector<Pose> goals_of(const SiteArguments& arguments, const ScenarioProblems& read) {
-  if (arguments.goals) {
-    const Poses poses = read_poses(*arguments.goals);
-    warn(poses.warnings);
-    return poses.poses;
-  }
-  std::vector<Pose> goals;
+Poses goals_of(const SiteArguments& arguments, const ScenarioProblems& read,
+               const PlanOptions& options) {
+  if (arguments.goals) return poses_in(*arguments.goals);
+  Poses goals;
   for (const Problem& problem : read.problems) {
-    if (!problem.goal_set().empty()) {
-      throw InputError(arguments.scenario, "its goal is a set, expected --goals FILE.csv");
+    SiteGoals more;
+    try {
+      more = site_goals(problem, options);
+    } catch (const InputError& error) {
+      throw InputError(arguments.scenario, error.problem() + ": --goals FILE.csv");
     }
-    goals.push_back(problem.goal());
+    goals.poses.insert(goals.poses.end(), more.poses.begin(), more.poses.end());
+    if (more.left_out > 0) {
+      warn({fmt::format("{}: {} of its goals are not free and left out", arguments.scenario,
+                        more.left_out)});
+    }
   }
   return goals;
 }
 
 /// The table; none if it was stopped. What is wrong with a flag or a goal names the flag or file.
 std::optional<SiteTable> made(const SiteArguments& arguments, const Problem& problem,
-                              const std::vector<Pose>& goals, const PlanOptions& options,
+                              const Poses& goals, const PlanOptions& options,
                               const SiteTableOptions& table) {
   try {
-    return make_site_table(problem, goals, options, table);
+    return make_site_table(problem, goals.poses, options, table);
   } catch (const InputError& error) {
     const std::string& where = error.where();
     if (where == "headings" || where == "cell") throw InputError("--" + where, error.problem());
-    const std::string& file = arguments.goals ? *arguments.goals : arguments.scenario;
-    throw InputError(file, where + ": " + error.problem());
+    if (arguments.goals) throw named_by_line(error, "goals", *arguments.goals, goals);
+    throw InputError(arguments.scenario, where + ": " + error.problem());
   }
 }
 
 int make(const SiteArguments& arguments) {
   expect_writable(arguments.output);
-  const Planner& planner = default_planner();
   const std::stop_token stop = stop_on_signal();
   const ScenarioProblems read = read_problems(arguments.scenario);
   warn(read.file.warnings);
   const Problem& problem = read.problems.front();
-  const PlanOptions options = complete(
-      planner, options_for(planner, read.file.options, arguments.options), problem.vehicle());
-  const std::vector<Pose> goals = goals_of(arguments, read);
+  const PlanOptions options = site_options(read, arguments.options);
+  const Poses goals = goals_of(arguments, read, options);
   SiteTableOptions wanted = arguments.table;
   wanted.threads = threads_of(arguments.jobs);
   wanted.stop = stop;
   const auto begin = std::chrono::steady_clock::now();
   std::optional<ProgressBar> bar;
-  if (goals.size() > 1 && !arguments.json) bar.emplace();
+  const std::size_t count = goals.poses.size();
+  if (count > 1 && !arguments.json) bar.emplace();
   wanted.progress = [&](std::size_t done) {
     if (!bar) return;
-    bar->show({.total = static_cast<int>(goals.size()),
+    bar->show({.total = static_cast<int>(count),
                .done = static_cast<int>(done),
                .elapsed = seconds_since(begin)});
   };
@@ -100,18 +103,41 @@ int make(const SiteArguments& arguments) {
   if (arguments.output == "-") return exit_status::done;
   const double time = seconds_since(begin);
   if (arguments.json) {
-    print({{"output", arguments.output},
-           {"time", time},
-           {"goals", goals.size()},
-           {"bytes", bytes.size()}});
+    print(
+        {{"output", arguments.output}, {"time", time}, {"goals", count}, {"bytes", bytes.size()}});
   } else {
     fmt::print("{}: costs to {} goal{}, {} bytes, made in {:.3f} s\n", printable(arguments.output),
-               goals.size(), goals.size() == 1 ? "" : "s", bytes.size(), time);
+               count, count == 1 ? "" : "s", bytes.size(), time);
   }
   return exit_status::done;
 }
 
 }  // namespace
+
+PlanOptions site_options(const ScenarioProblems& read, const std::vector<TypedOption>& typed) {
+  const Planner& planner = default_planner();
+  for (const TypedOption& given : typed) {
+    const std::string fault(fault_of_site_option(given.option));
+    if (!fault.empty()) throw InputError(given.typed, fault);
+  }
+  return complete(planner, options_for(planner, read.file.options, typed),
+                  read.problems.front().vehicle());
+}
+
+Poses poses_in(const std::string& file) {
+  Poses read = read_poses(file);
+  warn(read.warnings);
+  return read;
+}
+
+InputError named_by_line(const InputError& error, const std::string& list, const std::string& file,
+                         const Poses& poses) {
+  for (std::size_t i = 0; i < poses.lines.size(); ++i) {
+    if (error.where() != fmt::format("{}[{}]", list, i)) continue;
+    return {line_of_file(file, poses.lines[i]), error.problem()};
+  }
+  return error;
+}
 
 int threads_of(int jobs) {
   const auto processors = static_cast<int>(std::thread::hardware_concurrency());

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "option_flags.h"
+#include "vandplan/files.h"
+#include "vandplan/input_error.h"
 #include "vandplan/planner.h"
 #include "vandplan/site_table.h"
 
@@ -15,6 +17,17 @@ namespace vandplan::app {
 
 /// Adds the command `site` to the command `table`.
 void add_table_site(CLI::App& table, int& status);
+
+/// Complete options of a table for a scenario: those of its file, overridden by typed ones. Throws
+/// InputError for a typed option that means nothing to a table.
+[[nodiscard]] PlanOptions site_options(const ScenarioProblems& read,
+                                       const std::vector<TypedOption>& typed);
+
+/// Poses in a file; their warnings are printed.
+[[nodiscard]] Poses poses_in(const std::string& file);
+/// The error, but if it names a pose of a list, such as "goals[2]", it names the pose's line.
+[[nodiscard]] InputError named_by_line(const InputError& error, const std::string& list,
+                                       const std::string& file, const Poses& poses);
 
 /// Adds --set for prices, gears and margin to a command. `options` outlives the command.
 void add_site_settings(CLI::App& command, std::vector<TypedOption>& options);

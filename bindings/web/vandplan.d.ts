@@ -392,7 +392,7 @@ export interface Ends {
 
 /** What a table of a site is made of. */
 export interface SiteQuery {
-  /** Goals of the table; by default the goal of the scenario, unless it is a set. */
+  /** Goals of the table; by default the goal of the scenario, or the free poses of its `any_of`. */
   goals?: Pose[];
   /** Options of the plans that the table is for: prices, gears and margin count. */
   options?: PlanOptions;

@@ -88,6 +88,22 @@ class SiteTable {
   std::vector<Pose> goals_;
 };
 
+/// Goals of a table that are those of a problem.
+struct SiteGoals {
+  std::vector<Pose> poses = {};  ///< the goals, in the scenario's frame
+  std::size_t left_out = 0;      ///< poses of a set of goals where the vehicle cannot stand
+};
+
+/// The goals of a problem for a table: its goal, or the poses of its set where the vehicle can
+/// stand. A trailer is left out, and so are straight last stretches. The options must be complete.
+/// Throws InputError naming "goals" if the set holds infinitely many poses, or none is free.
+[[nodiscard]] SiteGoals site_goals(const Problem& problem, const PlanOptions& options);
+
+/// What is wrong with setting an option of that name for a table; empty: nothing. A table is made
+/// for prices, gears and margin. The budget of plans means nothing to it, and "site" is no option
+/// of a table.
+[[nodiscard]] std::string_view fault_of_site_option(std::string_view option) noexcept;
+
 /// Makes a table of a problem's world and vehicle to some goals, in the scenario's frame. Start and
 /// goal of the problem do not matter. The options must be complete (`complete` of planner.h);
 /// steering and budget do not matter. A trailer is left out: the table is that of the tractor

@@ -2,7 +2,10 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "sites/site.h"
 
+#include <numbers>
+
 #include "geometry/boxes.h"
+#include "problem/goal_set.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan::sites {
@@ -78,6 +81,32 @@ Task task_to(const Problem& problem, const Pose& goal, std::size_t number,
   return task_of(between(alone, goal, goal, place_in("goals", number)), options.clearance);
 }
 
+SiteGoals goals_of_set(const Problem& problem, const PlanOptions& options) {
+  SiteGoals goals;
+  for (GoalRegion region : problem.goal_set()) {
+    if (is_continuous(region)) {
+      throw InputError("goals",
+                       "the goal of the scenario holds infinitely many poses, expected a list of "
+                       "poses");
+    }
+    for (int turns = 0; turns < (region.either_way ? 2 : 1); ++turns) {
+      const Pose pose = problem::some_goal(problem.vehicle(), region).pose;
+      const Task task = task_to(problem, pose, goals.poses.size(), options);
+      if (task.checker->is_free(task.goal)) {
+        goals.poses.push_back(pose);
+      } else {
+        ++goals.left_out;
+      }
+      region.heading.from += std::numbers::pi;
+      region.heading.to += std::numbers::pi;
+    }
+  }
+  if (goals.poses.empty()) {
+    throw InputError("goals", "no pose of the scenario's goal is free, expected a list of poses");
+  }
+  return goals;
+}
+
 Site site_of(const Problem& problem, std::span<const Pose> goals, const PlanOptions& options,
              const SiteTableOptions& table) {
   check(problem, goals, options, table);
@@ -93,3 +122,20 @@ Site site_of(const Problem& problem, std::span<const Pose> goals, const PlanOpti
 }
 
 }  // namespace vandplan::sites
+
+namespace vandplan {
+
+SiteGoals site_goals(const Problem& problem, const PlanOptions& options) {
+  if (problem.goal_set().empty()) return {.poses = {problem.goal()}};
+  return sites::goals_of_set(problem, options);
+}
+
+std::string_view fault_of_site_option(std::string_view option) noexcept {
+  if (option == "site") return "expected no table here: a matrix takes one in place of goals";
+  const CommonOption* const common = find_common_option(option);
+  if (common == nullptr || common->part != OptionPart::budget) return "";
+  return "counts for plans, and none are made: expected prices, gears or margin, or a matrix of "
+         "plans, which has max_iterations";
+}
+
+}  // namespace vandplan

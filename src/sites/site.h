@@ -29,6 +29,9 @@ void require(bool holds, const char* where, const char* expected);
 [[nodiscard]] Task task_to(const Problem& problem, const Pose& goal, std::size_t number,
                            const PlanOptions& options);
 
+/// Goals of a table that are the poses of a problem's set of goals. Throws as `site_goals`.
+[[nodiscard]] SiteGoals goals_of_set(const Problem& problem, const PlanOptions& options);
+
 /// The site of a table: a task to each goal, and the cells.
 struct Site {
   std::vector<Task> tasks = {};

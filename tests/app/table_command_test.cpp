@@ -392,7 +392,7 @@ TEST_F(TableCommand, OfASiteIsRefusedElsewhere) {
             "--cell: expected 0.01 to 1 turning radii");
   write_content(folder_ / "docks.csv", "20,-10,1\n5,5.5,0\n");
   EXPECT_EQ(complaint({"site", scenario, "--goals", folder_ / "docks.csv", "-o", output}),
-            (folder_ / "docks.csv") + ": goals[1]: is not free");
+            (folder_ / "docks.csv") + ":2: is not free");
   write_content(folder_ / "docks.csv", "20,-10,1\n0,0\n");
   EXPECT_EQ(
       complaint({"site", scenario, "--goals", folder_ / "docks.csv", "-o", folder_ / "x.vst"}),
@@ -421,6 +421,65 @@ TEST_F(TableCommand, OfASiteRefusesAPairBeforeItPlans) {
                 ": the table was made for other options: prices (style), gears or margin differ\n");
   write_content(pairs, "10,15,3,0,0,0\n-17,9,1,0,0,0\n");
   EXPECT_EQ(planned({}).status, 0);
+}
+
+TEST_F(TableCommand, OfASiteTakesTheGoalsOfASet) {
+  const std::string scenario = folder_ / "a.yaml";
+  std::string text = yard_from("{x: 10, y: 15, heading: 3}");
+  const std::string goal = "goal: {x: 0, y: 0, heading: 0}\n";
+  const auto with_goal = [&](const std::string& other) {
+    std::string changed = text;
+    changed.replace(changed.find(goal), goal.size(), other + "\n");
+    write_content(scenario, changed);
+  };
+  with_goal(
+      "goal: {any_of: [{x: 0, y: 0, heading: 0, straight: 3}, {x: 5, y: 5.5, heading: 0}, "
+      "{x: 20, y: -10, heading: 1}]}");
+  const std::string table = folder_ / "yard.vst";
+  const Outcome made = run_vandplan({"table", "site", scenario, "-o", table, "--json"});
+  EXPECT_EQ(made.status, 0);
+  EXPECT_EQ(made.err,
+            "vandplan: warning: " + scenario + ": 1 of its goals are not free and left out\n");
+  EXPECT_EQ(Json::parse(made.out)["goals"], 2);
+  EXPECT_EQ(json_of({"info", table})["goals"], Json::parse("[[0, 0, 0], [20, -10, 1]]"));
+  EXPECT_EQ(run_vandplan({"plan", scenario, "--site", table, "--max-iterations", "99"}).status, 0);
+  with_goal("goal: {x: [0, 3], y: 0, heading: 0}");
+  EXPECT_EQ(complaint({"site", scenario, "-o", table}),
+            scenario +
+                ": the goal of the scenario holds infinitely many poses, expected a list of "
+                "poses: --goals FILE.csv");
+}
+
+TEST_F(TableCommand, OfASiteSaysWhichOptionsMeanNothing) {
+  const std::string scenario = folder_ / "a.yaml";
+  const std::string goals = folder_ / "goals.csv";
+  const std::string table = folder_ / "yard.vst";
+  write_content(scenario, yard_from("{x: 10, y: 15, heading: 3}"));
+  write_content(goals, "0,0,0\n");
+  const std::string said =
+      "counts for plans, and none are made: expected prices, gears or margin, or a matrix of "
+      "plans, "
+      "which has max_iterations\n";
+  const std::vector<std::string> to_table = {"table", "site", scenario, "-o", table};
+  const std::vector<std::string> to_matrix = {"matrix",  scenario, "--starts", goals,
+                                              "--goals", goals,    "-o",       folder_ / "m.csv"};
+  for (std::vector<std::string> command : {to_table, to_matrix}) {
+    for (const std::string key : {"time_limit", "max_iterations", "seed", "threads"}) {
+      command.insert(command.end(), {"--set", key + "=3"});
+      const Outcome refused = run_vandplan(command);
+      EXPECT_EQ(refused.status, 2);
+      EXPECT_EQ(refused.err, "vandplan: " + key + ": " + said);
+      command.resize(command.size() - 2);
+    }
+  }
+  std::vector<std::string> plans = to_matrix;
+  plans.insert(plans.end(), {"--max-iterations", "9", "--set", "seed=3"});
+  const Outcome planned = run_vandplan(plans);
+  EXPECT_EQ(planned.status, 0);
+  EXPECT_EQ(planned.err, "");
+  plans.insert(plans.end(), {"--set", "max_iterations=8"});
+  EXPECT_EQ(run_vandplan(plans).err,
+            "vandplan: max_iterations: is given twice, expected --max-iterations alone\n");
 }
 
 TEST_F(TableCommand, OfASiteGivesAMatrix) {

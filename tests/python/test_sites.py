@@ -72,6 +72,15 @@ def test_a_pair_whose_goal_the_table_lacks_is_named(yard, table):
         vp.plan_many(yard, yard.start, [(0, 12, 0), (0, 13, 0)], site=table)
 
 
+def test_a_table_takes_the_free_goals_of_a_set(yard):
+    docks = [vp.GoalRegion(0, 12, 0), vp.GoalRegion(0, 6, 0), vp.GoalRegion(-10, -5, 1, either_way=True)]
+    made = vp.site_table(yard.with_poses(goal=docks), **COARSE)
+    assert np.allclose(made.goals, [[0, 12, 0], [-10, -5, 1], [-10, -5, 1 - np.pi]])
+    assert vp.plan(yard.with_poses(goal=docks), site=made, max_iterations=50)
+    with pytest.raises(vp.InputError, match="goals: the goal of the scenario holds infinitely many poses"):
+        vp.site_table(yard.with_poses(goal=vp.GoalRegion(x=(0, 1), y=12, heading=0)), **COARSE)
+
+
 def test_a_table_is_kept_in_a_file(yard, table, tmp_path):
     file = tmp_path / "yard.vst"
     table.save(file)
@@ -159,6 +168,13 @@ def test_what_a_matrix_refuses_is_named_as_in_python(yard, table):
     for wrong, name in [({"site": table}, "site"), ({"jobs": 0}, "jobs"), ({"max_iterations": 0}, "max_iterations")]:
         with pytest.raises(vp.InputError, match=f"^{name}: expected"):
             vp.matrix(yard, starts, table, **wrong)
+    for call in (vp.site_table, vp.ChangingSiteTable, table.way, lambda s, **o: vp.matrix(s, starts, table, **o)):
+        for option in ({"site": table}, {"time_limit": 3}, {"seed": 2}, {"threads": 2}, {"target_gap": 0.1}):
+            with pytest.raises(vp.InputError, match=f"^{next(iter(option))}: .*expected"):
+                call(yard, **option)
+    vp.matrix(yard, starts, table, max_iterations=9, seed=2, time_limit=3)
+    with pytest.raises(vp.InputError, match="^site: expected"):
+        vp.matrix(yard, starts, table, max_iterations=9, site=table)
     with pytest.raises(vp.InputError, match="^jobs: expected"):
         vp.site_table(yard, jobs=0)
     with pytest.raises(vp.InputError, match="^jobs: expected"):

@@ -151,6 +151,46 @@ TEST(SiteRefusal, NamesAGoalThatTheTableLacks) {
             "pairs.csv:3: the table has no such goal, expected one of its 1");
 }
 
+TEST(SiteRefusal, TakesThePosesOfASetOfGoals) {
+  const Problem problem = problem_of({20, 0, 0}, {0, 0, 0}, {box(9, 9, 12, 12)}, area);
+  const auto goals_of = [&](const std::vector<GoalRegion>& set) {
+    return site_goals(with_goal_set(problem, set), drivers_options());
+  };
+  EXPECT_EQ(site_goals(problem, drivers_options()).poses, (std::vector<Pose>{{0, 0, 0}}));
+  GoalRegion either = region_of_pose({-10, 5, 1});
+  either.either_way = true;
+  const SiteGoals goals =
+      goals_of({region_of_pose({0, 5, 2}), region_of_pose({10, 10, 0}), either});
+  ASSERT_EQ(goals.poses.size(), 3U);
+  EXPECT_EQ(goals.left_out, 1U);
+  EXPECT_EQ(goals.poses[0], (Pose{0, 5, 2}));
+  EXPECT_EQ(goals.poses[1], (Pose{-10, 5, 1}));
+  EXPECT_NEAR(goals.poses[2].heading, 1 - std::numbers::pi, 1e-12);
+  const Problem set = with_goal_set(problem, {region_of_pose({0, 5, 2}), either});
+  const SiteTable table =
+      make_site_table(set, site_goals(set, drivers_options()).poses, drivers_options(), coarse)
+          .value();
+  PlanOptions options = using_site(table);
+  options.budget.max_iterations = 50;
+  EXPECT_TRUE(plan(set, options).path);
+  either.x.most = -9;
+  EXPECT_EQ(
+      refusal([&] { (void)goals_of({either}); }),
+      "goals: the goal of the scenario holds infinitely many poses, expected a list of poses");
+  EXPECT_EQ(refusal([&] {
+              (void)goals_of({region_of_pose({10, 10, 0})});
+            }),
+            "goals: no pose of the scenario's goal is free, expected a list of poses");
+}
+
+TEST(SiteRefusal, KnowsWhichOptionsMeanNothing) {
+  for (const CommonOption& option : style_and_common_options()) {
+    const bool is_of_plans = option.part == OptionPart::budget;
+    EXPECT_EQ(fault_of_site_option(option.name).empty(), !is_of_plans) << option.name;
+  }
+  EXPECT_NE(fault_of_site_option("site"), "");
+}
+
 TEST(SiteRefusal, StopsAPlanForAnotherWorld) {
   const Problem problem = problem_of({20, 0, 0}, {0, 0, 0}, {}, area);
   const SiteTable table = table_to(problem, drivers_options());

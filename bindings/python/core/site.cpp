@@ -27,12 +27,22 @@ namespace {
 using namespace py::literals;
 using FileOfTable = std::filesystem::path;  // Accepts str and os.PathLike.
 
-/// Complete options of the default planner for a scenario.
-PlanOptions site_options(const CheckedScenario& scenario, const py::kwargs& keywords) {
-  const Vehicle& vehicle = scenario.scenario().vehicle;
+/// Complete options of a table for a scenario, and of plans with so many iterations. Throws
+/// InputError for a keyword that means nothing: without plans the budget does.
+PlanOptions site_options(const CheckedScenario& scenario, const py::kwargs& keywords,
+                         std::optional<std::int64_t> iterations = {}) {
+  for (const auto& [name, value] : keywords) {
+    const std::string key = py::str(name);
+    const std::string fault(fault_of_site_option(key));
+    const bool is_of_plans = iterations && key != "site";
+    if (!fault.empty() && !is_of_plans) throw InputError(key, fault);
+  }
   const Planner& planner = default_planner();
-  return complete(planner, options_for(planner, scenario.options(), {{}, {}, 1, keywords}, vehicle),
-                  vehicle);
+  PlanOptions options = options_for(planner, scenario.options(), {{}, iterations, 1, keywords},
+                                    scenario.scenario().vehicle);
+  const bool has_seed = keywords.contains("seed") && !keywords["seed"].is_none();
+  if (has_seed) set_option(options, planner, "seed", typed(keywords["seed"]));
+  return options;
 }
 
 /// `jobs`, for options that call it threads. Throws InputError.
@@ -63,17 +73,17 @@ SiteTable table_of(const Problem& problem, const std::vector<Pose>& goals,
   return *std::move(table);
 }
 
-/// Goals from Python; none: that of the scenario.
-std::vector<Pose> goals_of(const Problem& problem, const py::object& goals) {
-  if (!goals.is_none()) return list_of(goals, "goals");
-  if (problem.goal_set().empty()) return {problem.goal()};
-  throw InputError("goals", "the goal of the scenario is a set, expected poses");
+/// Goals from Python; none: those of the scenario.
+std::vector<Pose> goals_of(const Problem& problem, const PlanOptions& options,
+                           const py::object& goals) {
+  return goals.is_none() ? site_goals(problem, options).poses : list_of(goals, "goals");
 }
 
 SiteTable make_table(const CheckedScenario& scenario, const py::object& goals, int headings,
                      double cell, int jobs, const py::kwargs& keywords) {
   const Problem& problem = scenario.problem();
-  return table_of(problem, goals_of(problem, goals), site_options(scenario, keywords),
+  const PlanOptions options = site_options(scenario, keywords);
+  return table_of(problem, goals_of(problem, options, goals), options,
                   {.headings = headings, .cell = cell, .threads = threads_of(jobs)});
 }
 
@@ -81,8 +91,8 @@ std::shared_ptr<SharedSiteTable> changing_table(const CheckedScenario& scenario,
                                                 const py::object& goals, int headings, double cell,
                                                 int jobs, const py::kwargs& keywords) {
   const Problem& problem = scenario.problem();
-  const std::vector<Pose> poses = goals_of(problem, goals);
   const PlanOptions options = site_options(scenario, keywords);
+  const std::vector<Pose> poses = goals_of(problem, options, goals);
   const py::gil_scoped_release release;
   const SiteTableOptions wanted{.headings = headings, .cell = cell, .threads = threads_of(jobs)};
   return std::make_shared<SharedSiteTable>(
@@ -113,18 +123,18 @@ std::optional<Path> way_of(const SiteTable& self, const CheckedScenario& scenari
 
 SiteTable read_table(const FileOfTable& file) { return read_site_table(file.string()); }
 
-/// Costs of the table's ways, or of plans with so many iterations.
+/// Costs of the table's ways, or of plans.
 std::vector<SiteCost> costs_between(const Problem& problem, const std::vector<Pose>& starts,
                                     const SiteTable& table, PlanOptions options, int jobs,
-                                    std::optional<std::int64_t> iterations) {
+                                    bool has_plans) {
   std::vector<SiteCost> costs;
   {
     const Interruptible interruptible;
-    options.budget = {.max_iterations = iterations, .stop = interruptible.stop()};
-    if (iterations) options.site = std::make_shared<const SiteTable>(table);
+    options.budget.stop = interruptible.stop();
+    if (has_plans) options.site = std::make_shared<const SiteTable>(table);
     const py::gil_scoped_release release;
-    costs = iterations ? plan_matrix(problem, starts, options, jobs)
-                       : site_matrix(table, problem, starts, options, jobs);
+    costs = has_plans ? plan_matrix(problem, starts, options, jobs)
+                      : site_matrix(table, problem, starts, options, jobs);
   }
   raise_signals();
   return costs;
@@ -132,17 +142,16 @@ std::vector<SiteCost> costs_between(const Problem& problem, const std::vector<Po
 
 py::tuple matrix(const CheckedScenario& scenario, const py::object& starts, const py::object& goals,
                  int jobs, std::optional<std::int64_t> iterations, const py::kwargs& keywords) {
-  if (keywords.contains("site")) throw InputError("site", "expected the table in place of goals");
   if (iterations && *iterations < 1) throw InputError("max_iterations", "expected at least 1");
   const Problem& problem = scenario.problem();
-  const PlanOptions options = site_options(scenario, keywords);
+  const PlanOptions options = site_options(scenario, keywords, iterations);
   const std::vector<Pose> from = list_of(starts, "starts");
   const bool is_table = py::isinstance<SiteTable>(goals);
   const SiteTable table =
       is_table ? goals.cast<SiteTable>()
                : table_of(problem, list_of(goals, "goals"), options, {.threads = threads_of(jobs)});
   const std::vector<SiteCost> costs =
-      costs_between(problem, from, table, options, threads_of(jobs), iterations);
+      costs_between(problem, from, table, options, threads_of(jobs), iterations.has_value());
   const std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(from.size()),
                                           static_cast<py::ssize_t>(table.goals().size())};
   py::array_t<double> cost = empty_array(shape);
@@ -171,7 +180,7 @@ Approximate cost of driving from each pose to a goal [m], by number. Infinite wi
 
 Free path of arcs and lines from the start of a scenario to its goal, read off the table.
 
-The options are those of `plan`. Raises InputError if the table was made for something else.)")
+The options are those of `site_table`. Raises InputError if the table was made for something else.)")
       .def(
           "save",
           [](const SiteTable& self, const FileOfTable& file) {
@@ -238,10 +247,11 @@ void bind_site(py::module_& module) {
 
 Computes what driving costs from everywhere on a site to each goal.
 
-- `goals`: poses of shape (N, 3), or one pose. None: the goal of the scenario.
+- `goals`: poses of shape (N, 3), or one pose. None: the goal of the scenario, or the poses of its
+  `any_of` that are free.
 - `headings`: headings of a full turn. `cell`: side of a cell of places [turning radii].
 - `jobs`: threads that share the goals.
-- `options`: options of `plan` that set prices, gears and margin.
+- `options`: options of `plan` that set prices, gears and margin. Those of the budget are refused.
 
 A trailer is left out: the table is that of the tractor alone.
 
@@ -255,8 +265,8 @@ Costs of free ways from each start to each goal, and proven lower bounds [m], of
 
 `goals` are poses or a `SiteTable`. A cost is infinite if no way was found. Bounds are those of open
 ground and hold for every path. With `max_iterations`, costs and bounds are those of plans that
-begin with the ways: mostly cheaper, and slower. A trailer needs that, and is straight at both ends.
-The other keywords are those of `site_table`.)");
+begin with the ways: mostly cheaper, and slower. A trailer needs plans, and is straight at both ends.
+The other keywords are those of `site_table`, with `max_iterations` also the budget of each plan.)");
   module.def("read_site_table", &read_table, "file"_a,
              "read_site_table(file) -> SiteTable\n\nReads a file of `SiteTable.save` or the "
              "command line.");

@@ -18,11 +18,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-std::vector<Pose> goals_at(const val& query, const Problem& problem) {
-  if (!has(query, "goals")) {
-    if (problem.goal_set().empty()) return {problem.goal()};
-    throw InputError("goals", "the goal of the scenario is a set, expected poses");
-  }
+std::vector<Pose> goals_at(const val& query, const Problem& problem, const PlanOptions& options) {
+  if (!has(query, "goals")) return site_goals(problem, options).poses;
   const val list = query["goals"];
   std::vector<Pose> goals(size_of(list, "goals"));
   for (std::size_t i = 0; i < goals.size(); ++i) {
@@ -81,8 +78,9 @@ std::shared_ptr<const SiteTable> SiteReader::read(const val& given) {
   return table_;
 }
 
-SiteWish site_wish_from(const val& query, const Problem& problem, const val& progress) {
-  SiteWish wish{.goals = goals_at(query, problem), .options = {}};
+SiteWish site_wish_from(const val& query, const Problem& problem, const PlanOptions& options,
+                        const val& progress) {
+  SiteWish wish{.goals = goals_at(query, problem, options), .options = {}};
   wish.options.headings = headings_at(query, wish.options.headings);
   wish.options.cell = number_at(query, "cell", "", wish.options.cell);
   if (!progress.isUndefined()) {

@@ -34,10 +34,10 @@ struct SiteWish {
   SiteTableOptions options;
 };
 
-/// Wish from {goals, headings, cell}. Without `goals` the table has the problem's goal. `progress`
-/// is a function, or undefined; it is called by reference.
+/// Wish from {goals, headings, cell}. Without `goals` the table has the problem's goal, or the free
+/// poses of its set. `progress` is a function, or undefined; it is called by reference.
 [[nodiscard]] SiteWish site_wish_from(const val& query, const Problem& problem,
-                                      const val& progress);
+                                      const PlanOptions& options, const val& progress);
 
 /// Copy of a table's bytes.
 [[nodiscard]] val bytes_of(const SiteTable& table);

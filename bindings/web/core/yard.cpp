@@ -128,15 +128,16 @@ val Yard::is_free(const val& query) const {
 
 val Yard::site_table(const val& query, const val& progress) const {
   const Problem problem = site_problem_of(query);
-  const SiteWish wish = site_wish_from(query, problem, progress);
-  return bytes_of(
-      make_site_table(problem, wish.goals, prices_of_site(query, problem), wish.options).value());
+  const PlanOptions options = prices_of_site(query, problem);
+  const SiteWish wish = site_wish_from(query, problem, options, progress);
+  return bytes_of(make_site_table(problem, wish.goals, options, wish.options).value());
 }
 
 ChangingSiteTable Yard::changing_site_table(const val& query, const val& progress) const {
   const Problem problem = site_problem_of(query);
-  const SiteWish wish = site_wish_from(query, problem, progress);
-  return {problem, wish.goals, prices_of_site(query, problem), wish.options};
+  const PlanOptions options = prices_of_site(query, problem);
+  const SiteWish wish = site_wish_from(query, problem, options, progress);
+  return {problem, wish.goals, options, wish.options};
 }
 
 Problem Yard::site_problem_of(const val& query) const {
