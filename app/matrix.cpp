@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -101,6 +102,74 @@ std::vector<SiteCost> costs_of(const MatrixArguments& arguments, const Problem& 
   }
 }
 
+// ---- why is an entry empty? ----
+
+const char* reason_of(SiteOutcome outcome) {
+  switch (outcome) {
+    case SiteOutcome::start_in_collision:
+      return "the start is not free (of obstacles, or by zones)";
+    case SiteOutcome::goal_in_collision:
+      return "the goal is not free (of obstacles, or by zones)";
+    case SiteOutcome::outside:
+      return "the start is outside of the table";
+    case SiteOutcome::no_path:
+      return "proven: there is no path";
+    case SiteOutcome::no_plan:
+      return "no plan within --max-iterations";
+    default:
+      return "the table knows no free way";
+  }
+}
+
+/// A line for each start and reason: "starts.csv:3: no cost to goals 0, 2: the start is not free".
+/// Goals are numbered as in the output.
+std::vector<std::string> empty_entries(const MatrixArguments& arguments, const Ends& ends,
+                                       const std::vector<SiteCost>& costs) {
+  std::vector<std::string> lines;
+  const std::size_t goals = ends.goals.poses.size();
+  for (std::size_t i = 0; i < ends.starts.poses.size(); ++i) {
+    std::map<SiteOutcome, std::vector<std::size_t>> empty;
+    for (std::size_t j = 0; j < goals; ++j) {
+      const SiteCost& cost = costs[i * goals + j];
+      if (std::isinf(cost.cost)) empty[cost.outcome].push_back(j);
+    }
+    for (const auto& [outcome, to] : empty) {
+      const std::string which =
+          to.size() == goals
+              ? "any goal"
+              : fmt::format("goal{} {}", to.size() == 1 ? "" : "s", fmt::join(to, ", "));
+      lines.push_back(fmt::format("{}: no cost to {}: {}",
+                                  line_of_file(arguments.starts, ends.starts.lines[i]), which,
+                                  reason_of(outcome)));
+    }
+  }
+  return lines;
+}
+
+/// Warns of empty entries, of so many rows that the warnings can be read.
+void warn_of_empty(const MatrixArguments& arguments, const Ends& ends,
+                   const std::vector<SiteCost>& costs) {
+  constexpr std::size_t most = 20;
+  std::vector<std::string> lines = empty_entries(arguments, ends, costs);
+  if (lines.size() > most) {
+    const std::size_t more = lines.size() - most;
+    lines.resize(most);
+    lines.push_back(
+        fmt::format("{}: {} more such lines; --json counts the reasons", arguments.starts, more));
+  }
+  warn(lines);
+}
+
+nlohmann::ordered_json counts_of_empty(const std::vector<SiteCost>& costs) {
+  auto counts = nlohmann::ordered_json::object();
+  for (const SiteCost& cost : costs) {
+    if (!std::isinf(cost.cost)) continue;
+    auto& count = counts[std::string(name_of(cost.outcome))];
+    count = count.is_null() ? 1 : count.get<std::size_t>() + 1;
+  }
+  return counts;
+}
+
 int make(const MatrixArguments& arguments) {
   expect_writable(arguments.output);
   const std::stop_token stop = stop_on_signal();
@@ -121,6 +190,7 @@ int make(const MatrixArguments& arguments) {
   if (stop.stop_requested()) throw InputError("matrix", "was stopped, nothing is written");
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
   write_file(arguments.output, csv_of(costs, ends.goals.poses.size()));
+  warn_of_empty(arguments, ends, costs);
   if (arguments.output == "-") return exit_status::done;
   const auto found = std::count_if(costs.begin(), costs.end(),
                                    [](const SiteCost& cost) { return !std::isinf(cost.cost); });
@@ -128,6 +198,7 @@ int make(const MatrixArguments& arguments) {
     print({{"output", arguments.output},
            {"pairs", costs.size()},
            {"with_way", found},
+           {"without", counts_of_empty(costs)},
            {"time", time.count()}});
   } else {
     fmt::print("{}: {} pairs, {} with a way, in {:.3f} s\n", printable(arguments.output),
@@ -160,7 +231,8 @@ void add_matrix(CLI::App& vandplan, int& status) {
       ->type_name("N")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}).description(""));
   add_jobs(*command, arguments->jobs, "Starts at once; 0: one per processor; up to 256");
-  add("-o,--output", arguments->output, "Costs and lower bounds (CSV)");
+  add("-o,--output", arguments->output,
+      "Costs and lower bounds (CSV); warnings say why some are empty");
   command->add_flag("--json", arguments->json, "Print JSON");
   command->callback([arguments, &status] { status = make(*arguments); });
 }

@@ -181,11 +181,27 @@ struct SiteWay {
 [[nodiscard]] std::optional<SiteWay> site_way(const SiteTable& table, const Problem& problem,
                                               const PlanOptions& options);
 
+/// What a cost from a start to a goal is the cost of, or why there is none.
+enum class SiteOutcome : std::uint8_t {
+  way,                 ///< cost of the table's way
+  plan,                ///< cost of a plan
+  start_in_collision,  ///< none: the start is not free, or zones keep the vehicle there
+  goal_in_collision,   ///< none: the goal is not free, or zones keep the vehicle away
+  outside,             ///< none: the start is outside of the table
+  no_way,              ///< none: the table has no free way
+  no_path,             ///< none: it is proven that there is no path
+  no_plan,             ///< none: the table has no free way, and the budget brought no plan
+};
+
+/// Name of the outcome: "way", "start_in_collision", ...
+[[nodiscard]] std::string_view name_of(SiteOutcome outcome) noexcept;
+
 /// What driving from a start to a goal costs.
 struct SiteCost {
   /// Cost of a free path that was found [m]; infinite if none was found.
   double cost = std::numeric_limits<double>::infinity();
   double lower_bound = 0.0;  ///< proven lower bound of the cost of every path [m]
+  SiteOutcome outcome = SiteOutcome::no_way;
 };
 
 /// Costs from each start to each goal of a table, in the scenario's frame: start by start, and for
@@ -200,10 +216,12 @@ struct SiteCost {
 
 /// Costs of plans from each start to each goal of `options.site`, ordered as by `site_matrix`. Each
 /// is a plan of the default planner (planner.h) with the budget of the options, which begins with
-/// the table's way; `jobs` at a time. Lower bounds are those of the plans, 0 where nothing is
-/// proven. Trailers are straight at both ends. Start and goal of the problem do not matter. Throws
-/// InputError as `plan` does, also naming "site" without a table, or "starts[2]" for a start out of
-/// range.
+/// the table's way; `jobs` at a time. No cost is above that of `site_matrix`: where no plan is as
+/// cheap, it is the cost of the way of arcs and lines, at whose joints the wheels turn at a
+/// standstill. Only with a trailer or the steering `continuous` all costs are those of plans. Lower
+/// bounds are those of the plans, 0 where nothing is proven, and at most the cost. Trailers are
+/// straight at both ends. Start and goal of the problem do not matter. Throws InputError as `plan`
+/// does, also naming "site" without a table, or "starts[2]" for a start out of range.
 [[nodiscard]] std::vector<SiteCost> plan_matrix(const Problem& problem,
                                                 std::span<const Pose> starts,
                                                 const PlanOptions& options, int jobs = 1);

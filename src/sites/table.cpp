@@ -3,6 +3,7 @@
 #include "vandplan/site_table.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 
@@ -23,6 +24,15 @@ using sites::SiteData, sites::SiteGrid, sites::SiteLayer, sites::between, sites:
 constexpr const char* no_trailer =
     "no trailer, as ways of a table are of the tractor alone: plan instead";
 constexpr std::size_t starts_of_block = 256;  // starts of a matrix that a thread takes at once
+
+/// Why a table has no way from a free start to the goal of a task.
+SiteOutcome why_no_way(const SiteTable& table, const Pose& start, const Task& task) {
+  const Bounds box = table.bounds();
+  const bool is_inside =
+      start.x >= box.x_min && start.x < box.x_max && start.y >= box.y_min && start.y < box.y_max;
+  if (!is_inside) return SiteOutcome::outside;
+  return task.checker->is_free(task.goal) ? SiteOutcome::no_way : SiteOutcome::goal_in_collision;
+}
 
 }  // namespace
 
@@ -62,6 +72,13 @@ void SiteTable::expect_goal(const Pose& goal, const std::string& where) const {
   if (sites::number_of(goals_, goal)) return;
   throw InputError(
       where, "the table has no such goal, expected one of its " + std::to_string(goals_.size()));
+}
+
+std::string_view name_of(SiteOutcome outcome) noexcept {
+  constexpr std::array<std::string_view, 8> names = {
+      "way",     "plan",   "start_in_collision", "goal_in_collision", "outside", "no_way",
+      "no_path", "no_plan"};
+  return names[static_cast<std::size_t>(outcome)];
 }
 
 std::optional<SiteWay> site_way(const SiteTable& table, const Problem& problem,
@@ -106,9 +123,12 @@ std::vector<SiteCost> site_matrix(const SiteTable& table, const Problem& problem
     for (std::size_t i = begin; i < end; ++i) {
       SiteCost& cost = costs[i * goals.size() + j];
       cost.lower_bound = open.least_cost(from[i], task.goal, {rule.initial_gear, 0});
-      if (!task.checker->is_free(from[i])) continue;
-      const auto way = ways.find(from[i]);
+      const bool is_free = task.checker->is_free(from[i]);
+      const auto way = is_free ? ways.find(from[i]) : std::nullopt;
       if (way) cost.cost = way->cost;
+      cost.outcome = way        ? SiteOutcome::way
+                     : !is_free ? SiteOutcome::start_in_collision
+                                : why_no_way(table, starts[i], task);
     }
   });
   return costs;

@@ -482,6 +482,45 @@ TEST_F(TableCommand, OfASiteSaysWhichOptionsMeanNothing) {
             "vandplan: max_iterations: is given twice, expected --max-iterations alone\n");
 }
 
+TEST_F(TableCommand, AMatrixSaysWhyAnEntryIsEmpty) {
+  const std::string scenario = folder_ / "a.yaml";
+  const std::string starts = folder_ / "starts.csv";
+  const std::string goals = folder_ / "goals.csv";
+  std::string text = yard_from("{x: 10, y: 15, heading: 3}");
+  text.replace(text.find("bounds: {x: [-30, 30]"), 21, "bounds: {x: [-30, 90]");
+  write_content(scenario, text);
+  write_content(starts, "x,y,heading\n10,15,3\n# in the wall\n5,5.5,0\n80,9,1\n");
+  write_content(goals, "20,-10,1\n0,0,0\n");
+  const auto matrix = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"matrix", scenario, "--starts", starts, "--goals", goals, "-o",
+                               folder_ / "m.csv", "--json"});
+    return run_vandplan(more);
+  };
+  const std::string in_wall = "vandplan: warning: " + starts +
+                              ":4: no cost to any goal: the start is not free (of obstacles, or by "
+                              "zones)\n";
+  const Outcome ways = matrix({});
+  EXPECT_EQ(ways.status, 0);
+  EXPECT_EQ(ways.err, in_wall + "vandplan: warning: " + starts +
+                          ":5: no cost to any goal: the start is outside of the table\n");
+  const Json counts = Json::parse(ways.out);
+  EXPECT_EQ(counts["with_way"], 2);
+  EXPECT_EQ(counts["without"], Json::parse(R"({"start_in_collision": 2, "outside": 2})"));
+  const Outcome plans = matrix({"--max-iterations", "900"});
+  EXPECT_EQ(plans.err, in_wall);
+  EXPECT_EQ(Json::parse(plans.out)["without"], Json::parse(R"({"start_in_collision": 2})"));
+  write_content(goals, "20,-10,1\n5,5.5,0\n");
+  EXPECT_EQ(matrix({}).err, "vandplan: " + goals + ":2: is not free\n");
+  write_content(goals, "20,-10,1\n0,0,0\n");
+  std::string many;
+  for (int i = 0; i < 30; ++i) many += "5,5.5,0\n";
+  write_content(starts, many);
+  const std::string told = matrix({}).err;
+  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 21);
+  EXPECT_NE(told.find(starts + ": 10 more such lines; --json counts the reasons\n"),
+            std::string::npos);
+}
+
 TEST_F(TableCommand, OfASiteGivesAMatrix) {
   const std::string scenario = folder_ / "a.yaml";
   const std::string table = folder_ / "yard.vst";

@@ -37,18 +37,93 @@ PlanOptions options_for(const Problem& problem, std::int64_t iterations) {
 
 TEST(PlanMatrix, CostsNoMoreThanTheWaysOfTheTable) {
   const Problem problem = problem_for({});
-  const PlanOptions options = options_for(problem, 60);
-  const std::vector<SiteCost> ways = site_matrix(*options.site, problem, starts, options);
-  const std::vector<SiteCost> plans = plan_matrix(problem, starts, options);
-  ASSERT_EQ(plans.size(), ways.size());
-  for (std::size_t i = 0; i < plans.size(); ++i) {
-    const bool is_in_wall = i / docks.size() == 1;
-    EXPECT_EQ(std::isinf(plans[i].cost), is_in_wall) << i;
-    if (is_in_wall) continue;
-    EXPECT_LE(plans[i].cost, ways[i].cost * 1.001) << i;
-    EXPECT_LE(plans[i].lower_bound, plans[i].cost) << i;
-    EXPECT_GT(plans[i].lower_bound, 5) << i;
+  for (const std::int64_t iterations : {1, 60}) {
+    const PlanOptions options = options_for(problem, iterations);
+    const std::vector<SiteCost> ways = site_matrix(*options.site, problem, starts, options);
+    const std::vector<SiteCost> plans = plan_matrix(problem, starts, options);
+    ASSERT_EQ(plans.size(), ways.size());
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+      const bool is_in_wall = i / docks.size() == 1;
+      EXPECT_EQ(std::isinf(plans[i].cost), is_in_wall) << i;
+      if (is_in_wall) continue;
+      EXPECT_LE(plans[i].cost, ways[i].cost) << i;
+      EXPECT_LE(plans[i].lower_bound, plans[i].cost) << i;
+      EXPECT_GT(plans[i].lower_bound, 5) << i;
+    }
   }
+}
+
+// A lane so narrow that one iteration does not smooth the way.
+TEST(PlanMatrix, KeepsTheWayWhereThereIsNoPlan) {
+  const std::vector<Polygon> cage = {box(-11, -30, -9, 30), box(9, -30, 11, 30), box(-9, -1, 9, 1)};
+  const std::vector<Pose> pocket = {{0, -16, 1.570796}};
+  const Problem problem = problem_of({20, 0, 0}, pocket[0], cage, area);
+  PlanOptions options;
+  options.budget.max_iterations = 1;
+  options = complete(default_planner(), options, problem.vehicle());
+  options.site =
+      std::make_shared<const SiteTable>(make_site_table(problem, pocket, options).value());
+  const std::vector<Pose> from = {
+      {-1.2, 10, 2.9}, {2.8, 6.4, 2.4}, {-2.1, -21.8, 0.1}, {1.7, -17.3, 2.4}};
+  const std::vector<SiteCost> ways = site_matrix(*options.site, problem, from, options);
+  const std::vector<SiteCost> kept = plan_matrix(problem, from, options, 2);
+  int without_plan = 0;
+  int dearer = 0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    ASSERT_EQ(ways[i].outcome, SiteOutcome::way) << i;
+    EXPECT_LE(kept[i].cost, ways[i].cost) << i;
+    EXPECT_LE(kept[i].lower_bound, kept[i].cost) << i;
+    const PlanResult planned = plan(with_poses(problem, from[i], pocket[0]), options);
+    const bool is_plan = planned.path && planned.cost <= ways[i].cost;
+    EXPECT_EQ(kept[i].outcome, is_plan ? SiteOutcome::plan : SiteOutcome::way) << i;
+    without_plan += planned.path ? 0 : 1;
+    dearer += planned.path && planned.cost > ways[i].cost ? 1 : 0;
+  }
+  EXPECT_GT(without_plan, 0);
+  EXPECT_GT(dearer, 0);
+  options.steering = Steering::continuous;
+  for (const SiteCost& cost : plan_matrix(problem, from, options)) {
+    EXPECT_NE(cost.outcome, SiteOutcome::way);
+  }
+}
+
+TEST(PlanMatrix, SaysWhyThereIsNoCost) {
+  std::vector<Polygon> obstacles = walls;
+  for (const Polygon& side : {box(-38, 18, -18, 19), box(-38, 37, -18, 38), box(-38, 18, -37, 38),
+                              box(-19, 18, -18, 38)}) {
+    obstacles.push_back(side);  // a cage without a gate
+  }
+  const Problem problem = problem_of({20, 0, 0}, docks[0], obstacles, area);
+  const std::vector<Pose> from = {starts[0], {7, 14, 0}, {38, -38, 0}, {-28, 28, 0}};
+  const PlanOptions options = options_for(problem, 2000);
+  const auto expect = [&](const std::vector<SiteCost>& costs, std::vector<SiteOutcome> outcomes) {
+    for (std::size_t i = 0; i < costs.size(); ++i) {
+      EXPECT_EQ(costs[i].outcome, outcomes[i / docks.size()]) << name_of(costs[i].outcome);
+      EXPECT_EQ(std::isinf(costs[i].cost), costs[i].outcome > SiteOutcome::plan) << i;
+    }
+  };
+  expect(site_matrix(*options.site, problem, from, options),
+         {SiteOutcome::way, SiteOutcome::start_in_collision, SiteOutcome::outside,
+          SiteOutcome::no_way});
+  expect(plan_matrix(problem, from, options), {SiteOutcome::plan, SiteOutcome::start_in_collision,
+                                               SiteOutcome::plan, SiteOutcome::no_path});
+  const PlanOptions briefly = options_for(problem, 1);
+  EXPECT_EQ(plan_matrix(problem, std::vector{from[3]}, briefly)[0].outcome, SiteOutcome::no_plan);
+  EXPECT_EQ(name_of(SiteOutcome::no_plan), "no_plan");
+  EXPECT_EQ(name_of(SiteOutcome::way), "way");
+}
+
+TEST(PlanMatrix, SaysThatAGoalIsNotFree) {
+  const Problem problem = problem_for({});
+  const PlanOptions options = drivers_options();
+  ChangingSiteTable changing(problem, docks, options, coarse);
+  std::vector<Polygon> parked = walls;
+  parked.push_back(box(14, -11, 16, -9));
+  const Problem changed = problem_of({20, 0, 0}, docks[0], parked, area);
+  changing.repair(changed);
+  const std::vector<SiteCost> costs = site_matrix(changing.table(), changed, starts, options);
+  EXPECT_EQ(costs[0].outcome, SiteOutcome::way);
+  EXPECT_EQ(costs[1].outcome, SiteOutcome::goal_in_collision);
 }
 
 TEST(PlanMatrix, HasWhatTheRigDrives) {

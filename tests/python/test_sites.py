@@ -154,7 +154,7 @@ def test_a_matrix_of_plans_is_cheaper_and_knows_trailers(yard, table):
     starts = [(0, 0, 0), (20, 0, 1), (0, 6, 0)]
     ways, _ = vp.matrix(yard, starts, table)
     cost, bound = vp.matrix(yard, starts, table, max_iterations=60, jobs=2)
-    assert (cost[:2] <= 1.01 * ways[:2]).all() and (bound[:2] <= cost[:2]).all() and np.isinf(cost[2]).all()
+    assert (cost[:2] <= ways[:2]).all() and (bound[:2] <= cost[:2]).all() and np.isinf(cost[2]).all()
     rig = vp.Vehicle(trailers=[{"wheelbase": 5, "front_overhang": 1, "rear_overhang": 1, "width": 2}])
     towed = vp.Scenario(yard.start, yard.goal, vehicle=rig, bounds=yard.bounds, obstacles=yard.obstacles)
     with pytest.raises(vp.InputError, match="site: expected no trailer"):

@@ -265,8 +265,9 @@ Costs of free ways from each start to each goal, and proven lower bounds [m], of
 
 `goals` are poses or a `SiteTable`. A cost is infinite if no way was found. Bounds are those of open
 ground and hold for every path. With `max_iterations`, costs and bounds are those of plans that
-begin with the ways: mostly cheaper, and slower. A trailer needs plans, and is straight at both ends.
-The other keywords are those of `site_table`, with `max_iterations` also the budget of each plan.)");
+begin with the ways: mostly cheaper, and slower. Where no plan is as cheap, the way's cost stays,
+unless steering="continuous". A trailer needs plans, and is straight at both ends. The other keywords are
+those of `site_table`, with `max_iterations` also the budget of each plan.)");
   module.def("read_site_table", &read_table, "file"_a,
              "read_site_table(file) -> SiteTable\n\nReads a file of `SiteTable.save` or the "
              "command line.");
