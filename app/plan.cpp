@@ -75,28 +75,28 @@ std::string goal_text(const PlanResult& result, const Scenario& scenario) {
                      pose.heading);
 }
 
-std::string outcome_of(const ResultRecord& record, const Scenario& scenario) {
+std::string outcome_of(const ResultRecord& record, const ScenarioProblems& read) {
   const PlanResult& result = record.result;
   if (!result.path) return no_path_text(result);
-  const std::string cost =
-      result.drive_check ? drive_text(result.drive_check)
-                         : ", " + cost_text(result.cost, record.options.cost, scenario.vehicle);
-  return fmt::format("solved{}: {}{}{}, first path after {}", goal_text(result, scenario),
+  const std::string cost = result.drive_check ? drive_text(result.drive_check)
+                                              : ", " + cost_text(result.cost, record.options.cost,
+                                                                 read.problems.front());
+  return fmt::format("solved{}: {}{}{}, first path after {}", goal_text(result, read.file.scenario),
                      path_text(*result.check), cost, proof_text(result),
                      seconds_text(result.anytime.front().time));
 }
 
-void print_summary(const ScenarioFile& file, const std::vector<ResultRecord>& records) {
+void print_summary(const ScenarioProblems& read, const std::vector<ResultRecord>& records) {
   const ResultRecord& any = records.front();
-  fmt::print("{}, {}, seed {}\n", printable(file.scenario.name), any.planner,
+  fmt::print("{}, {}, seed {}\n", printable(read.file.scenario.name), any.planner,
              any.options.budget.seed);
   for (const ResultRecord& record : records) {
     const PlanResult& result = record.result;
     if (record.distance) fmt::print("{:7.6g} m: ", *record.distance);
-    fmt::print("{}; {} iterations, {} nodes, {}\n", outcome_of(record, file.scenario),
-               result.iterations, counter(result, "nodes"), seconds_text(result.time_total));
+    fmt::print("{}; {} iterations, {} nodes, {}\n", outcome_of(record, read), result.iterations,
+               counter(result, "nodes"), seconds_text(result.time_total));
   }
-  if (!file.is_row()) return;
+  if (!read.file.is_row()) return;
   const std::optional<double> furthest = furthest_reached(records);
   fmt::print("furthest: {}\n", furthest ? fmt::format("{:.6g} m", *furthest) : "none");
 }
@@ -170,7 +170,7 @@ int run(const PlanArguments& arguments) {
   if (arguments.json) {
     write_results("-", read.file, records);
   } else {
-    print_summary(read.file, records);
+    print_summary(read, records);
   }
   const bool solved = std::any_of(records.begin(), records.end(), [](const ResultRecord& record) {
     return record.result.status == PlanStatus::solved;

@@ -77,11 +77,11 @@ std::string before_text(const Smoothed& smoothed) {
   return fmt::format("{} (not allowed: {})", text, printable(smoothed.given_fault));
 }
 
-std::string outcome_of(const Run& run, const Vehicle& vehicle) {
+std::string outcome_of(const Run& run, const Problem& problem) {
   const PlanResult& result = run.after.result;
   if (!run.before.result.path || !result.path) return no_path_text(result);
   const std::string path = fmt::format("{}, {}", path_text(*result.check),
-                                       cost_text(result.cost, run.after.options.cost, vehicle));
+                                       cost_text(result.cost, run.after.options.cost, problem));
   const std::string work =
       fmt::format("{} iterations, {}", result.iterations, seconds_text(result.time_total));
   if (run.smoothed.is_given) {
@@ -90,11 +90,11 @@ std::string outcome_of(const Run& run, const Vehicle& vehicle) {
   return fmt::format("smoothed: {}, {}; {}", path, before_text(run.smoothed), work);
 }
 
-void print_summary(const ScenarioFile& file, const std::vector<Run>& runs) {
-  fmt::print("{}, {}\n", printable(file.scenario.name), runs.front().after.planner);
+void print_summary(const ScenarioProblems& read, const std::vector<Run>& runs) {
+  fmt::print("{}, {}\n", printable(read.file.scenario.name), runs.front().after.planner);
   for (const Run& run : runs) {
     if (run.after.distance) fmt::print("{:7.6g} m: ", *run.after.distance);
-    fmt::print("{}\n", outcome_of(run, file.scenario.vehicle));
+    fmt::print("{}\n", outcome_of(run, read.problems.front()));
   }
 }
 
@@ -130,7 +130,7 @@ int run(const SmoothArguments& arguments) {
   if (arguments.json) {
     write_results("-", read.file, after);
   } else {
-    print_summary(read.file, runs);
+    print_summary(read, runs);
   }
   const bool all = std::ranges::all_of(runs, [](const Run& run) {
     return run.before.result.path.has_value() == run.after.result.path.has_value();

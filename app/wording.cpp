@@ -34,9 +34,13 @@ std::string with_unit(double value, std::span<const Unit> units) {
 }
 
 /// Name of the prices by which a cost was computed.
-std::string name_of(CostOptions cost, const Vehicle& vehicle) {
+std::string name_of(CostOptions cost, const Problem& problem) {
+  const Vehicle& vehicle = problem.vehicle();
   cost.gears = AllowedGears::both;  // named elsewhere
-  if (is_length(cost)) return "length alone";
+  if (is_length(cost)) {
+    const bool has_zones = problem.task().checker->has_prices();
+    return has_zones ? "length and the prices of zones" : "length alone";
+  }
   if (cost == driver_style) return "a driver's prices";
   if (cost != prices_of(Style::driver, vehicle)) return "prices";
   return fmt::format("a driver's prices for a turning radius of {:.3g} m",
@@ -75,12 +79,12 @@ std::string drive_text(const std::optional<DriveCheck>& check) {
   return fmt::format("{}, {} from moving obstacles", text, metres_text(*check->clearance));
 }
 
-std::string cost_text(double cost, const CostOptions& rule, const Vehicle& vehicle) {
+std::string cost_text(double cost, const CostOptions& rule, const Problem& problem) {
   const std::string only = rule.gears == AllowedGears::forward   ? ", forward only"
                            : rule.gears == AllowedGears::reverse ? ", in reverse only"
                                                                  : "";
   if (rule.measure == CostMeasure::time) return "driven in " + seconds_text(cost) + only;
-  return fmt::format("cost {} by {}{}", metres_text(cost), name_of(rule, vehicle), only);
+  return fmt::format("cost {} by {}{}", metres_text(cost), name_of(rule, problem), only);
 }
 
 std::string no_path_text(const PlanResult& result) {

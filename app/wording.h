@@ -38,9 +38,9 @@ using base::printable;
 /// obstacles". Empty without a drive.
 [[nodiscard]] std::string drive_text(const std::optional<DriveCheck>& check);
 
-/// Cost of a path as text: "cost 63.450 m by a driver's prices"; "driven in 23.100 s" if the cost
-/// is the time.
-[[nodiscard]] std::string cost_text(double cost, const CostOptions& rule, const Vehicle& vehicle);
+/// Cost of a path of the problem as text: "cost 63.450 m by a driver's prices"; "driven in 23.100
+/// s" if the cost is the time.
+[[nodiscard]] std::string cost_text(double cost, const CostOptions& rule, const Problem& problem);
 
 /// Outcome of a result without a path: "no path: goal_in_collision (the footprint hits
 /// obstacles[3])".

@@ -93,6 +93,13 @@ TEST_F(PlanCommand, SummarySaysTheCostAndItsKind) {
   EXPECT_NE(summary({}).find(" m by a driver's prices, "), std::string::npos) << summary({});
   EXPECT_NE(summary({"--set", "style=shortest"}).find(" m by length alone, "), std::string::npos);
   EXPECT_NE(summary({"--set", "gear_change_cost=1"}).find(" m by prices, "), std::string::npos);
+  const std::string zones = "zones: [{area: [[-9, 30], [9, 30], [9, 39]], cost: 3}]\n";
+  write_content(scenario_, yard() + zones);
+  EXPECT_NE(summary({"--set", "style=shortest"}).find(" m by length and the prices of zones, "),
+            std::string::npos);
+  write_content(scenario_, replaced(yard() + zones, "cost: 3", "gears: forward"));
+  EXPECT_NE(summary({"--set", "style=shortest"}).find(" m by length alone, "), std::string::npos);
+  write_content(scenario_, yard());
   EXPECT_EQ(summary({"--set", "cost=time"}).find(" by "), std::string::npos);
   write_content(scenario_, replaced(yard(), "radius: 7.0", "radius: 3.0"));
   EXPECT_NE(summary({}).find(" m by a driver's prices for a turning radius of 3 m, "),
