@@ -184,8 +184,7 @@ bool is_goal_set(const Document& file, const Node& node) {
   for (const char* const key : {"x", "y", "heading"}) {
     const Node* const value = file.find(axle, key);
     if (value == nullptr) continue;
-    const bool is_pair = value->kind == Node::Kind::list && value->items.size() == 2;
-    if (is_pair || is_any(*value)) return true;
+    if (value->kind == Node::Kind::list || is_any(*value)) return true;
   }
   const Node* const angles = file.find(node, "hitch_angles");
   if (angles == nullptr) return false;

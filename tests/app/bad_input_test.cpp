@@ -72,7 +72,9 @@ TEST_F(BadInput, KeyGivenTwice) {
 }
 
 TEST_F(BadInput, WrongType) {
-  EXPECT_EQ(complaint_about("x: 20", "x: [20]"), "5: goal.x: is a list, expected a number");
+  EXPECT_EQ(complaint_about("x: 20", "x: {}"), "5: goal.x: is a map of keys, expected a number");
+  EXPECT_EQ(complaint_about("x: 20", "x: [20]"),
+            "5: goal.x: has 1 element, expected [smallest, largest]");
   EXPECT_EQ(complaint_about("x: 20", "x: far"), "5: goal.x: is \"far\", expected a number");
 }
 

@@ -140,11 +140,13 @@ TEST(GoalFile, SaysWhatIsWrong) {
   EXPECT_EQ(error_for("{x: [3, 2], y: 2, heading: 0}"),
             "s.yaml:5: goal.x: is [3, 2], expected the smaller number first");
   EXPECT_EQ(error_for("{x: [3], y: 2, heading: 0}"),
-            "s.yaml:5: goal.x: is a list, expected a number");
+            "s.yaml:5: goal.x: has 1 element, expected [smallest, largest]");
   EXPECT_EQ(error_for("{x: [3], y: 2, heading: any}"),
             "s.yaml:5: goal.x: has 1 element, expected [smallest, largest]");
   EXPECT_EQ(error_for("{x: 3, y: 2, heading: some, either_way: true}"),
             "s.yaml:5: goal.heading: is \"some\", expected a number");
+  EXPECT_EQ(error_for("{x: 3, y: 2, heading: [0, 1, 2]}"),
+            "s.yaml:5: goal.heading: has 3 elements, expected [first, last], counter-clockwise");
   EXPECT_EQ(error_for("{x: 3, y: 2, heading: [0, 7]}"),
             "s.yaml:5: goal.heading: spans 7 rad, expected at most a full turn: any");
   EXPECT_EQ(error_for("{x: 3, y: 2, heading: 0, either_way: maybe}"),

@@ -502,7 +502,7 @@ std::vector<BadFile> bad_files() {
       spoilt("+20", "0x10", "7: goal.x: is \"0x10\", expected a number"),
       spoilt("+20", "+-20", "7: goal.x: is \"+-20\", expected a number"),
       spoilt("+20", "", "7: goal.x: is empty, expected a number"),
-      spoilt("+20", "[20]", "7: goal.x: is a list, expected a number"),
+      spoilt("+20", "[20]", "7: goal.x: has 1 element, expected [smallest, largest]"),
       spoilt("+20", ".nan", "7: goal.x: is \".nan\", expected a finite number"),
       spoilt("+20", "-.INF", "7: goal.x: is \"-.INF\", expected a finite number"),
       spoilt("+20", "nan", "7: goal.x: is \"nan\", expected a finite number"),
