@@ -66,7 +66,8 @@ struct WorldPatch {
   std::vector<MaskPatch> masks = {};  ///< cells of masks with new contents
   /// New obstacles; one with a known name replaces the old one.
   std::vector<NamedPolygon> added = {};
-  /// Names of obstacles that are gone; unknown names are ignored.
+  /// Names of obstacles that are gone. Unknown names are ignored: what is reported as gone may
+  /// never have been seen.
   std::vector<std::int64_t> removed = {};
   /// Whether the patch changes nothing.
   [[nodiscard]] bool is_empty() const noexcept {
@@ -174,8 +175,8 @@ struct VehicleState {
   Pose pose = {};          ///< pose in the scenario's frame
   double v = 0.0;          ///< speed [m/s]; negative in reverse
   double curvature = 0.0;  ///< curvature of the wheels [1/m]
-  /// Hitch angle [rad]; [-pi, pi]. None: that of the last answer. Ignored without a trailer. Up to
-  /// 10 degrees beyond `Vehicle::max_hitch_angle` the plan begins at that limit. Further beyond, no
+  /// Hitch angle [rad]; [-pi, pi], 0 without a trailer. None: that of the last answer. Up to 10
+  /// degrees beyond `Vehicle::max_hitch_angle` the plan begins at that limit. Further beyond, no
   /// drive is safe.
   std::optional<double> hitch_angle = {};
 };

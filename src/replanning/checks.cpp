@@ -38,9 +38,9 @@ void check_vehicle_of(const Scenario& scenario) {
   }
 }
 
-void check_state(const VehicleState& state, const Pose& goal) {
+void check_state(const VehicleState& state, const Problem& problem) {
   try {
-    check_poses(state.pose, goal);
+    check_poses(state.pose, problem.goal());
   } catch (const InputError& error) {
     throw InputError("state.pose", error.what());
   }
@@ -49,6 +49,8 @@ void check_state(const VehicleState& state, const Pose& goal) {
                 "a number [1/m]");
   const double angle = state.hitch_angle.value_or(0.0);
   base::require(std::abs(angle) <= std::numbers::pi, "state.hitch_angle", angle, "-pi to pi");
+  base::require(angle == 0.0 || problem.vehicle().trailer, "state.hitch_angle", angle,
+                "0 without a trailer");
 }
 
 void check_limit(const TickLimit& limit) {

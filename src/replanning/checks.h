@@ -12,8 +12,8 @@ namespace vandplan::replanning {
 void check_options(const ReplanOptions& options);
 /// Checks that the replanner honours everything that the vehicle has.
 void check_vehicle_of(const Scenario& scenario);
-/// Checks a measured state of a vehicle on its way to `goal`.
-void check_state(const VehicleState& state, const Pose& goal);
+/// Checks a measured state of the vehicle of a problem on its way to the goal.
+void check_state(const VehicleState& state, const Problem& problem);
 void check_limit(const TickLimit& limit);
 
 }  // namespace vandplan::replanning

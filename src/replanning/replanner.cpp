@@ -99,7 +99,7 @@ class Replanner::Impl {
       throw InputError("t", "is " + base::shortest_text(t) + " s, expected no less than " +
                                 base::shortest_text(last_t_) + " s, the time of the last tick");
     }
-    if (state != nullptr) check_state(*state, problem_.goal());
+    if (state != nullptr) check_state(*state, problem_);
     last_t_ = t;
     ++ticks_;
     scene_.world = ground_.world();

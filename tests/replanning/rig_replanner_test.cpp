@@ -232,10 +232,11 @@ TEST(ReplannedRig, DrivesOnAfterBrakingHasFoldedItALittleTooFar) {
   EXPECT_EQ(answer.start_hitch_angle, 1.2);
 }
 
-TEST(ReplannedRig, IgnoresAHitchAngleWithoutATrailer) {
+TEST(ReplannedRig, RefusesAHitchAngleWithoutATrailer) {
   Replanner replanner(lane());
   const ReplanAnswer before = replanner.tick(0);
-  const ReplanAnswer after = replanner.tick(0, standing(1.0));
+  EXPECT_EQ(place_of_error([&] { (void)replanner.tick(0, standing(1.0)); }), "state.hitch_angle");
+  const ReplanAnswer after = replanner.tick(0, standing(0.0));
   EXPECT_EQ(after.drive, before.drive);
   EXPECT_EQ(after.start_hitch_angle, 0);
   EXPECT_TRUE(after.is_safe);

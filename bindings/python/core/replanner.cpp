@@ -304,7 +304,8 @@ before, or for half of a shorter limit. Without one, equal calls give equal answ
 Changes the ground from now on.
 
 `cells` are tuples (row, column, array) with new cells of the grid. `added` are polygons by whole
-numbers, `removed` numbers of polygons. The scenario's obstacles have the numbers 0, 1, ...)")
+numbers, `removed` numbers of polygons; unknown ones are ignored. The scenario's obstacles have the
+numbers 0, 1, ...)")
       .def(
           "set_moving",
           [](OwnReplanner& self, const std::vector<MovingObstacle>& moving) {
