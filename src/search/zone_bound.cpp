@@ -12,7 +12,6 @@
 namespace vandplan::search {
 namespace {
 
-constexpr float endless = std::numeric_limits<float>::infinity();
 constexpr double coarsest_cell = 0.5;         // [m]
 constexpr double coarsest_priced_cell = 1.0;  // it tells soon what wide zones add [m]
 constexpr double finest_cell = 0.05;          // [m]
@@ -127,9 +126,9 @@ bool ZoneBound::next_lattice() {
     const double near = clearance_ + task_.least_margin - reach_of_cell(side_);
     uses_obstacles_ = near > 0.0;
     if (uses_obstacles_) open_rows_ = OpenRows(task_, box_, side_, near);
-    const auto count = static_cast<std::size_t>(columns_ * rows_);
-    cells_.assign(count, {});
-    for (auto& reached : reached_) reached.assign(count, {endless, endless, endless, endless});
+    known_.clear();
+    known_.resize(static_cast<std::size_t>(columns_ * rows_) / Row{}.size() + 1);
+    held_ = 0;
     goals_.clear();
     const bool meet = begin(start, task_.start) || begin(goal, task_.goal);
     if (!meet && fronts_[start].size() > 0 && fronts_[goal].size() > 0) return true;
@@ -167,6 +166,17 @@ Point ZoneBound::middle_of(std::int64_t cell) const {
           box_.y_min + (static_cast<double>(row) + 0.5) * side_};
 }
 
+/// What is known of a cell. The reference stays valid for this lattice.
+ZoneBound::Known& ZoneBound::known(std::int64_t cell) {
+  const auto number = static_cast<std::size_t>(cell);
+  std::unique_ptr<Row>& row = known_[number / Row{}.size()];
+  if (!row) {
+    row = std::make_unique<Row>();
+    held_ += static_cast<std::int64_t>(row->size());
+  }
+  return (*row)[number % row->size()];
+}
+
 /// Cost of a metre at the cheapest place of a cell; infinite if it is closed.
 double ZoneBound::metre_at(const Point& middle) const {
   const double reach = reach_of_cell(side_);
@@ -196,7 +206,7 @@ double ZoneBound::metre_at(const Point& middle) const {
 }
 
 const ZoneBound::Cell& ZoneBound::cell_at(std::int64_t number) {
-  Cell& cell = cells_[static_cast<std::size_t>(number)];
+  Cell& cell = known(number).cell;
   if (cell.metre >= 0.0F) return cell;
   cell.metre = endless;
   if (uses_obstacles_) {
@@ -215,9 +225,8 @@ bool ZoneBound::is_open(std::int64_t cell) { return cell_at(cell).metre < endles
 
 /// Whether a path may lead through a cell that both floods reached. The place along a street grows
 /// from the start on; the flood from the goal knows its opposite.
-bool ZoneBound::meet(std::int64_t cell) const {
-  const auto i = static_cast<std::size_t>(cell);
-  const float from_start = reached_[start][i][0], to_goal = reached_[goal][i][0];
+bool ZoneBound::meet(const Known& cell) {
+  const float from_start = cell.reached[start][0], to_goal = cell.reached[goal][0];
   if (from_start == endless || to_goal == endless) return false;
   return from_start <= -to_goal + static_cast<float>(slack_of_edges);
 }
@@ -225,16 +234,16 @@ bool ZoneBound::meet(std::int64_t cell) const {
 /// Adds an entry to a flood, unless one is known that is as good. True if a path may have arrived:
 /// the floods meet.
 bool ZoneBound::reach(End end, const Entry& entry) {
-  const auto i = static_cast<std::size_t>(entry.cell);
-  float& known = reached_[end][i][static_cast<std::size_t>(entry.corner)];
+  Known& cell = known(entry.cell);
+  float& along = cell.reached[end][static_cast<std::size_t>(entry.corner)];
   if (is_priced()) {  // Whether it is as good is known when its turn comes.
-    if (known > entry.along) fronts_[end].push(entry);
+    if (along > entry.along) fronts_[end].push(entry);
     return false;
   }
-  if (known <= entry.along) return false;
-  known = entry.along;
+  if (along <= entry.along) return false;
+  along = entry.along;
   fronts_[end].push(entry);
-  return meet(entry.cell);
+  return meet(cell);
 }
 
 /// Crosses a side of an entry's cell, if a path may. True if the floods meet. Sides are numbered
@@ -266,16 +275,15 @@ bool ZoneBound::cross(End end, const Entry& entry, int side) {
 /// Expands the cheapest entry of a flood. True when it arrives.
 bool ZoneBound::expand(End end) {
   const Entry entry = fronts_[end].take();
-  float& known =
-      reached_[end][static_cast<std::size_t>(entry.cell)][static_cast<std::size_t>(entry.corner)];
+  float& along = known(entry.cell).reached[end][static_cast<std::size_t>(entry.corner)];
   if (!is_priced()) {
-    if (known < entry.along) return false;
+    if (along < entry.along) return false;
     bool are_met = false;
     for (int side = 0; side < 4; ++side) are_met |= cross(end, entry, side);
     return are_met;
   }
-  if (known <= entry.along) return false;
-  known = entry.along;
+  if (along <= entry.along) return false;
+  along = entry.along;
   bound_ = std::max(bound_, straight_of_octagon * static_cast<double>(entry.cost));
   if (std::ranges::find(goals_, entry.cell) != goals_.end()) return true;
   const double metre = static_cast<double>(cell_at(entry.cell).metre);

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <queue>
 #include <vector>
 
@@ -48,6 +49,8 @@ class ZoneBound {
   [[nodiscard]] bool is_proven() const noexcept { return is_proven_; }
   /// Lower bound of the sum of all metres' costs. It only rises.
   [[nodiscard]] double bound() const noexcept { return bound_; }
+  /// Number of cells of the lattice that are held in memory: those near what the floods reached.
+  [[nodiscard]] std::int64_t held() const noexcept { return held_; }
 
  private:
   enum End : std::uint8_t { start, goal };
@@ -66,6 +69,15 @@ class ZoneBound {
     }
   };
   using Corners = std::array<float, 4>;
+  static constexpr float endless = std::numeric_limits<float>::infinity();
+  static constexpr Corners unreached = {endless, endless, endless, endless};
+  /// What is known of a cell.
+  struct Known {
+    Cell cell = {};
+    /// Least place along its street with which each flood reached each corner.
+    std::array<Corners, 2> reached = {unreached, unreached};
+  };
+  using Row = std::array<Known, 64>;
   /// Entries of a flood, the cheapest first.
   class Front {
    public:
@@ -93,11 +105,12 @@ class ZoneBound {
   [[nodiscard]] bool next_lattice();
   [[nodiscard]] bool begin(End end, const LocalPose& pose);
   [[nodiscard]] Point middle_of(std::int64_t cell) const;
+  [[nodiscard]] Known& known(std::int64_t cell);
   [[nodiscard]] const Cell& cell_at(std::int64_t cell);
   [[nodiscard]] bool is_open(std::int64_t cell);
   [[nodiscard]] double metre_at(const Point& middle) const;
   [[nodiscard]] bool reach(End end, const Entry& entry);
-  [[nodiscard]] bool meet(std::int64_t cell) const;
+  [[nodiscard]] static bool meet(const Known& cell);
   [[nodiscard]] bool cross(End end, const Entry& entry, int side);
   [[nodiscard]] bool expand(End end);
 
@@ -113,9 +126,9 @@ class ZoneBound {
   std::int64_t columns_ = 0, rows_ = 0;
   bool uses_obstacles_ = false;
   OpenRows open_rows_;
-  std::vector<Cell> cells_;
-  /// Least place along its street with which each flood reached each corner of a cell.
-  std::array<std::vector<Corners>, 2> reached_;
+  /// Cells by their numbers, null where none was asked for: floods seldom reach all of a lattice.
+  std::vector<std::unique_ptr<Row>> known_;
+  std::int64_t held_ = 0;
   std::array<Front, 2> fronts_;
   std::vector<std::int64_t> goals_;  // Cells of the goal.
   bool is_proven_ = false;

@@ -140,6 +140,23 @@ TEST(ZoneBound, KnowsThatHalfOfAllDirectionsIsOneWay) {
   }
 }
 
+// A lattice over a large site takes neither time nor memory before it is flooded.
+TEST(ZoneBound, HoldsOnlyCellsNearItsFloods) {
+  const Zone street{.area = box(12, -12, 28, 12), .direction = HeadingRange{-pi / 2, pi / 2}};
+  Scenario scenario = turned_gate(0.0, {street});
+  scenario.bounds = {-500, 500, -500, 500};
+  scenario.obstacles = {box(-499, -499, -498, -498), box(498, 498, 499, 499)};
+  const Problem problem = make_problem(scenario);
+  for (const MetreCost& cost : {MetreCost{}, MetreCost{.anywhere = 1}}) {
+    search::ZoneBound bound(problem.task(), 0, cost);
+    EXPECT_GT(bound.held(), 0);
+    EXPECT_LT(bound.held(), 1000);
+    for (int i = 0; i < 20 && bound.step(); ++i) {
+    }
+    EXPECT_LT(bound.held(), 100'000);
+  }
+}
+
 TEST(ZoneBound, ProvesTheWayAroundAStreet) {
   for (const double turn : {0.0, 0.6}) {
     const Zone against{.area = box(12, -12, 28, 12), .direction = HeadingRange{pi / 2, 3 * pi / 2}};
