@@ -272,15 +272,18 @@ PlacedPart placed(const Vehicle& vehicle, const GoalRegion& region, const Region
 }
 
 // Halves the part with the least bound, until that hardly raises the bound.
-double length_lower_bound_to(const Task& task, std::size_t region, std::size_t halvings) {
+double length_lower_bound_to(const Task& task, std::size_t region, std::size_t halvings,
+                             const search::Budget& budget) {
   constexpr std::size_t max_halvings = 2000;
-  constexpr double fine = 1e-4;  // finest size of a part, relative to the bound
+  constexpr std::size_t halvings_at_once = 16;  // between two looks at the budget
+  constexpr double fine = 1e-4;                 // finest size of a part, relative to the bound
   const GoalRegion& of = task.goal_set[region];
   std::priority_queue<PartAhead> parts;
   for (const RegionPart& part : whole(of, region)) {
     parts.push({part, length_lower_bound(task, part)});
   }
   for (std::size_t i = 0; i < std::min(halvings, max_halvings); ++i) {
+    if (i % halvings_at_once == 0 && budget.is_interrupted()) break;
     const auto [part, least] = parts.top();
     const auto [place, turn] = spread_of(
         task.vehicle, of, part, {2 * steering::judged.position, 2 * steering::judged.heading});

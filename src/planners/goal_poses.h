@@ -10,6 +10,7 @@
 
 #include "planners/anytime/open_ground.h"
 #include "vandplan/problem.h"
+#include "vandplan/search.h"
 
 namespace vandplan::planning {
 
@@ -90,8 +91,9 @@ struct PlacedPart {
                                 const RegionPart& part);
 
 /// Lower bound of the length of all paths from the start to a region of the set [m], on open
-/// ground. Halves parts of the region `halvings` times, at most 2000 times.
+/// ground. Halves parts of the region `halvings` times, at most 2000 times, and not once the budget
+/// is interrupted.
 [[nodiscard]] double length_lower_bound_to(const Task& task, std::size_t region,
-                                           std::size_t halvings);
+                                           std::size_t halvings, const search::Budget& budget);
 
 }  // namespace vandplan::planning

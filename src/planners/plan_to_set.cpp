@@ -66,8 +66,8 @@ class SetRun {
         search_to_(search_to),
         pricing_(task, options.cost, time_price),
         budget_(options.budget),
-        goals_(task, options, time_price) {
-    goals_.spread_out(budget_);
+        goals_(task, options, time_price, budget_) {
+    goals_.spread_out();
   }
 
   [[nodiscard]] PlannerAnswer answer() {
@@ -75,6 +75,8 @@ class SetRun {
     while (!is_over()) {
       Candidate* const next = next_candidate();
       if (next != nullptr) go_on(*next);
+      // In the end the time for that may be over.
+      if (best_ != nullptr && task_.moving.empty()) (void)goals_.bound_of_regions();
       if (!refine() && next == nullptr) break;
     }
     return finished();
@@ -275,6 +277,7 @@ class SetRun {
       const Candidate& goal = candidates_[seen++];
       if (goals_.is_single(goal)) least = std::min(least, goal.bound);
     }
+    least = std::min(least, goals_.least_waiting());  // once interrupted, none joins
     // A goal that joined just now may have shown that one is left out without a proof.
     return goals_.saw_all() ? least : 0.0;
   }

@@ -72,7 +72,7 @@ class ViaSearch final : public PathSearch {
         search_to_(search_to),
         pricing_(task, options.cost, time_price),
         budget_(options.budget),
-        nodes_(task, pricing_.prices()),
+        nodes_(task, pricing_.prices(), budget_),
         bounds_(task, pricing_, work_of_bounds) {
     options_.budget.max_iterations.reset();
     if (!passed.empty() && begin_along(*known, passed)) return;
@@ -112,6 +112,7 @@ class ViaSearch final : public PathSearch {
     }
     answer.status = PlanStatus::iteration_limit;
     answer.reason = reason_;
+    if (nodes_.is_cut_short()) return answer;
     if (const std::optional<std::size_t> via = nodes_.empty_via()) {
       const std::size_t poses = nodes_.looked_at(*via);
       const std::string of_via = "of via[" + std::to_string(*via) + "] ";

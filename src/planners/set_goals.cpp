@@ -25,6 +25,7 @@ constexpr std::size_t max_goals_of_region = 64;
 constexpr std::size_t max_goals_of_set = 2048;      // most goals of all regions, but two of each
 constexpr std::size_t halvings_of_set = 20'000;     // halvings of parts of all regions for a bound
 constexpr std::size_t single_regions_at_once = 64;  // single poses between two looks at the budget
+constexpr std::size_t poses_at_once = 16;           // poses that are looked at between them
 constexpr std::int64_t work_past_vias = 20'000;     // pairs of parts of vias that a bound looks at
 
 /// Whether a rig that comes to a line as `before` says keeps its hitch angle along the line, in
@@ -42,11 +43,13 @@ constexpr auto comes_later = [](const auto& a, const auto& b) {
 
 }  // namespace
 
-SetGoals::SetGoals(const Task& task, const PlanOptions& options, double time_price)
+SetGoals::SetGoals(const Task& task, const PlanOptions& options, double time_price,
+                   const search::Budget& budget)
     : task_(task),
       alone_(task),
       options_(options),
       time_price_(time_price),
+      budget_(budget),
       pricing_(task, options.cost, time_price) {
   alone_.goal_set.clear();
 }
@@ -74,16 +77,16 @@ double SetGoals::bound_straight_to(const LocalState& place) const {
 }
 
 // [1] Spreads goals over each region.
-void SetGoals::spread_out(const search::Budget& budget) {
+void SetGoals::spread_out() {
   const std::size_t regions = task_.goal_set.size();
   const std::size_t share = std::max<std::size_t>(max_goals_of_set / regions, 2);
   std::size_t order = 0;
   for (std::size_t region = 0; region < regions; ++region) {
     const bool is_single = !is_continuous(task_.goal_set[region]);
     const bool is_slow = !is_single || region % single_regions_at_once == 0;
-    if (is_slow && !waiting_.empty() && budget.is_interrupted()) {
+    if (is_slow && is_interrupted()) {
       saw_all_ = false;
-      break;
+      return;
     }
     const bool is_line = number_of_intervals(task_, region) == 1;
     const std::size_t most = std::min(is_line ? max_goals_of_line : max_goals_of_region, share);
@@ -92,6 +95,7 @@ void SetGoals::spread_out(const search::Budget& budget) {
         wait({bound_straight_to(state_of(task_, point)), order++, point});
         return true;
       }
+      if (!may_look()) return false;
       std::optional<SetGoal> goal = at(point);
       if (!goal) return false;
       const double bound = goal->bound;
@@ -99,6 +103,16 @@ void SetGoals::spread_out(const search::Budget& budget) {
       return true;
     });
   }
+}
+
+bool SetGoals::is_interrupted() {
+  if (!cut_short_ && budget_.is_interrupted()) cut_short_ = budget_.exhausted();
+  return cut_short_.has_value();
+}
+
+bool SetGoals::may_look() {
+  if (looked_at_ % poses_at_once == 0) (void)is_interrupted();
+  return !cut_short_;
 }
 
 void SetGoals::wait(Waiting waiting) {
@@ -111,7 +125,7 @@ double SetGoals::least_waiting() const {
 }
 
 std::optional<SetGoal> SetGoals::next() {
-  while (!waiting_.empty()) {
+  while (!waiting_.empty() && (waiting_.front().goal != nullptr || may_look())) {
     std::pop_heap(waiting_.begin(), waiting_.end(), comes_later);
     Waiting first = std::move(waiting_.back());
     waiting_.pop_back();
@@ -166,10 +180,11 @@ double SetGoals::bound_of_regions() {
   for (std::size_t region = 0; region < task_.goal_set.size(); ++region) {
     if (!is_continuous(task_.goal_set[region])) continue;
     const double length =
-        length_lower_bound_to(task_, region, halvings_of_set / task_.goal_set.size());
+        length_lower_bound_to(task_, region, halvings_of_set / task_.goal_set.size(), budget_);
     least = std::min(least, bound_of_length(length));
   }
-  if (!task_.via.empty() && least < std::numeric_limits<double>::infinity()) {
+  const bool has_regions = least < std::numeric_limits<double>::infinity();
+  if (!task_.via.empty() && has_regions && !budget_.is_interrupted()) {
     least = std::max(least, LegBounds(task_, pricing_, work_past_vias).least());
   }
   bound_of_regions_ = least;
@@ -177,6 +192,7 @@ double SetGoals::bound_of_regions() {
 }
 
 PlannerAnswer SetGoals::without_goals() const {
+  if (cut_short_) return {.status = *cut_short_};
   const std::string poses = " poses of the goal that were looked at ";
   if (free_ == 0) {
     return {.status = PlanStatus::goal_in_collision,

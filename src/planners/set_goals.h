@@ -24,18 +24,21 @@ struct SetGoal {
   double bound = 0.0;  ///< lower bound of the cost of paths to the goal
 };
 
-/// The goals of a task's set. Method: docs/algorithms/goal_sets.md.
+/// The goals of a task's set. Once the budget is interrupted hardly any further goal is looked at.
+/// Method: docs/algorithms/goal_sets.md.
 class SetGoals {
  public:
-  /// Task and options outlive the goals. Costs are those of `Pricing` with this `time_price`.
-  SetGoals(const Task& task, const PlanOptions& options, double time_price);
+  /// Task, options and budget outlive the goals. Costs are those of `Pricing` with this
+  /// `time_price`.
+  SetGoals(const Task& task, const PlanOptions& options, double time_price,
+           const search::Budget& budget);
 
-  /// Goals evenly spread over the set wait for their turn. Once the budget is interrupted no
-  /// further region is looked at, if a goal waits.
-  void spread_out(const search::Budget& budget);
+  /// Goals evenly spread over the set wait for their turn.
+  void spread_out();
   /// No goal that waits has a lower bound below this one; infinite if none waits.
   [[nodiscard]] double least_waiting() const;
-  /// The goal with the least bound of those that wait; none if none waits.
+  /// The goal with the least bound of those that wait; none if none waits, or if it was not looked
+  /// at before the budget was interrupted.
   [[nodiscard]] std::optional<SetGoal> next();
 
   /// The goal at a point; none if the vehicle cannot stand there, or zones do not let it come to
@@ -47,7 +50,7 @@ class SetGoals {
   /// Whether all regions were looked at.
   [[nodiscard]] bool saw_all() const { return saw_all_; }
   /// Lower bound of the cost of paths to continuous regions, without looking at obstacles; infinite
-  /// without such a region.
+  /// without such a region. It is computed once, and lower if the budget is interrupted meanwhile.
   [[nodiscard]] double bound_of_regions();
 
   /// The answer if there is no goal to search for.
@@ -63,6 +66,8 @@ class SetGoals {
     std::unique_ptr<SetGoal> goal = {};
   };
   void wait(Waiting waiting);
+  [[nodiscard]] bool is_interrupted();
+  [[nodiscard]] bool may_look();
   [[nodiscard]] double bound_to(const Task& to) const;
   [[nodiscard]] double bound_straight_to(const LocalState& place) const;
   [[nodiscard]] double bound_of_length(double length) const;
@@ -71,13 +76,15 @@ class SetGoals {
   Task alone_;  // the task without its set
   const PlanOptions& options_;
   double time_price_;
+  const search::Budget& budget_;
   Pricing pricing_;
   std::vector<Waiting> waiting_;  // heap: the least bound first, then the first in order
   std::size_t looked_at_ = 0;     // goals looked at
   std::size_t free_ = 0;          // goals where the vehicle can stand
   bool saw_all_ = true;
-  bool is_kept_by_zones_ = false;  // whether zones do not let the vehicle come to a free pose
-  bool is_unsteady_ = false;       // whether a last stretch is too long to back a trailer
+  std::optional<PlanStatus> cut_short_;  // how the budget ended before all were looked at
+  bool is_kept_by_zones_ = false;        // whether zones do not let the vehicle come to a free pose
+  bool is_unsteady_ = false;             // whether a last stretch is too long to back a trailer
   std::optional<double> bound_of_regions_;
 };
 

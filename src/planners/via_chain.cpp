@@ -20,7 +20,8 @@ constexpr double share_of_curvature = 4.0;
 
 }  // namespace
 
-ViaNodes::ViaNodes(const Task& task, const search::CostRule& rule) : task_(task), rule_(rule) {
+ViaNodes::ViaNodes(const Task& task, const search::CostRule& rule, const search::Budget& budget)
+    : task_(task), rule_(rule) {
   for (const Via& via : task.via) {
     Task& alone = tasks_.emplace_back(task);
     alone.via.clear();
@@ -33,6 +34,10 @@ ViaNodes::ViaNodes(const Task& task, const search::CostRule& rule) : task_(task)
         std::clamp<std::size_t>(max_nodes_of_via / regions, 2, max_nodes_of_region);
     for (std::size_t region = 0; region < regions; ++region) {
       spread(alone, region, most, [&](const GoalPoint& point) {
+        if (is_cut_short_ || budget.is_interrupted()) {
+          is_cut_short_ = true;
+          return false;
+        }
         ++looked_at;
         const ViaNode node{.point = point, .state = state_of(alone, point)};
         if (!is_free(node)) return false;
@@ -93,7 +98,7 @@ std::optional<std::size_t> ViaNodes::empty_via() const {
 }
 
 bool ViaNodes::are_all() const {
-  return std::ranges::all_of(task_.via, [](const Via& via) {
+  return !is_cut_short_ && std::ranges::all_of(task_.via, [](const Via& via) {
     return via.any_of.size() <= max_nodes_of_via / 2 &&
            std::ranges::none_of(via.any_of, is_continuous);
   });

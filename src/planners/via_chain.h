@@ -34,11 +34,13 @@ struct ViaNode {
 class ViaNodes {
  public:
   /// Free poses of each via that zones let the vehicle pass, evenly spread. The task outlives the
-  /// nodes. `rule`: prices.
-  ViaNodes(const Task& task, const search::CostRule& rule);
+  /// nodes. `rule`: prices. Once the budget is interrupted no further pose is looked at.
+  ViaNodes(const Task& task, const search::CostRule& rule, const search::Budget& budget);
 
   /// Index of the first via without a free pose; none if each has one.
   [[nodiscard]] std::optional<std::size_t> empty_via() const;
+  /// Whether the budget was interrupted before all poses were looked at.
+  [[nodiscard]] bool is_cut_short() const { return is_cut_short_; }
   /// Number of poses of a via that were looked at.
   [[nodiscard]] std::size_t looked_at(std::size_t via) const { return looked_at_[via]; }
   /// Whether all vias are single poses, all of which are nodes.
@@ -78,6 +80,7 @@ class ViaNodes {
   std::vector<Task> tasks_;  // of each via: a task with the via as its set of goals
   std::vector<std::vector<ViaNode>> nodes_;
   std::vector<std::size_t> looked_at_;
+  bool is_cut_short_ = false;
   std::set<LegKey> lost_;  // legs that were given up
 };
 

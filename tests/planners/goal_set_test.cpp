@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -130,6 +131,23 @@ TEST(GoalSet, ManyRegionsKeepToTheTime) {
   const PlanResult result = plan(make_problem(yard(many)), with_iterations(50));
   EXPECT_EQ(result.status, PlanStatus::solved);
   EXPECT_LE(result.lower_bound, result.cost);
+}
+
+// That nothing was looked at does not mean that nothing is free.
+TEST(GoalSet, ARunThatIsStoppedAtOnceSaysSo) {
+  std::stop_source stop;
+  stop.request_stop();
+  PlanOptions options;
+  options.budget.stop = stop.get_token();
+  const GoalRegion blocked = region({8, 9}, {-1, 1}, any_heading);
+  const GoalRegion dock = region_of_pose({20, 4, 0});
+  for (const std::vector<GoalRegion>& set :
+       {std::vector{blocked}, {dock, region_of_pose({20, 8, 0})}, {blocked, dock}}) {
+    Scenario scenario = yard(set, {box(0, 10, 60, 11), box(4, -5, 12, -2)});
+    EXPECT_EQ(plan(make_problem(scenario), options).status, PlanStatus::stopped);
+    scenario.via = {{{blocked}, false}};
+    EXPECT_EQ(plan(make_problem(scenario), options).status, PlanStatus::stopped);
+  }
 }
 
 TEST(GoalSet, TakesTheFreeDockWhereOthersAreTaken) {
@@ -549,7 +567,7 @@ TEST(GoalSet, NoPathToARegionIsShorterThanItsBound) {
     any.either_way = chance(0.3, rng);
     const Problem problem = make_problem(yard({any}));
     const Task& task = problem.task();
-    const double bound = planning::length_lower_bound_to(task, 0, 2000);
+    const double bound = planning::length_lower_bound_to(task, 0, 2000, search::Budget({}));
     double least = endless_cost;
     for (std::size_t i = 0; i < 500; ++i) {
       const planning::GoalPoint point = planning::point_of_sequence(task, 0, i);

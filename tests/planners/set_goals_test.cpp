@@ -10,6 +10,7 @@
 #include <numbers>
 #include <optional>
 #include <set>
+#include <stop_token>
 #include <vector>
 
 #include "support/problems.h"
@@ -50,11 +51,20 @@ std::vector<std::size_t> order_of(SetGoals& goals) {
   return order;
 }
 
+/// Bound of the regions of a scenario, if nothing interrupts it.
+double goals_bound(const Scenario& scenario) {
+  const Problem problem = make_problem(scenario);
+  const PlanOptions options;
+  const search::Budget budget({});
+  return SetGoals(problem.task(), options, 0.0, budget).bound_of_regions();
+}
+
 TEST(SetGoals, ComeInTheOrderOfTheirBounds) {
   const Problem problem = make_problem(both_rows());
   const PlanOptions options;
-  SetGoals goals(problem.task(), options, 0.0);
-  goals.spread_out(search::Budget(options.budget));
+  const search::Budget budget(options.budget);
+  SetGoals goals(problem.task(), options, 0.0, budget);
+  goals.spread_out();
   const std::vector<std::size_t> order = order_of(goals);
   std::set<std::size_t> all(order.begin(), order.end());
   EXPECT_EQ(all.size(), order.size());
@@ -70,8 +80,9 @@ TEST(SetGoals, OfAnAreaComeInTheOrderOfTheirBounds) {
       {.x = {-20, 20}, .y = {-10, 10}, .heading = {-std::numbers::pi, std::numbers::pi}});
   const Problem problem = make_problem(scenario);
   const PlanOptions options;
-  SetGoals goals(problem.task(), options, 0.0);
-  goals.spread_out(search::Budget(options.budget));
+  const search::Budget budget(options.budget);
+  SetGoals goals(problem.task(), options, 0.0, budget);
+  goals.spread_out();
   EXPECT_GT(order_of(goals).size(), 60U);
 }
 
@@ -80,14 +91,51 @@ TEST(SetGoals, TheFirstHasTheLeastBoundOfAll) {
   const Scenario scenario = both_rows();
   const Problem problem = make_problem(scenario);
   const PlanOptions options;
-  SetGoals goals(problem.task(), options, 0.0);
-  goals.spread_out(search::Budget(options.budget));
+  const search::Budget budget(options.budget);
+  SetGoals goals(problem.task(), options, 0.0, budget);
+  goals.spread_out();
   const std::optional<SetGoal> first = goals.next();
   ASSERT_TRUE(first);
   for (std::size_t region = 0; region < scenario.goal_set.size(); ++region) {
     const std::optional<SetGoal> goal = goals.at({.region = region});
     if (goal) {
       EXPECT_GE(goal->bound, first->bound) << region;
+    }
+  }
+}
+
+// A set of many goals must not outlast the time of a run by all that is looked at in it.
+TEST(SetGoals, LooksAtNothingOnceTheBudgetIsInterrupted) {
+  Scenario scenario = both_rows();
+  const GoalRegion area{.x = {20, 60}, .y = {-10, 10}, .heading = {-3.0, 3.0}};
+  for (const bool has_area : {false, true}) {
+    if (has_area) scenario.goal_set = {area};
+    const Problem problem = make_problem(scenario);
+    std::stop_source stop;
+    PlanOptions options;
+    options.budget.stop = stop.get_token();
+    const search::Budget budget(options.budget);
+    SetGoals goals(problem.task(), options, 0.0, budget);
+    goals.spread_out();
+    ASSERT_TRUE(goals.next());
+    const double least = goals.least_waiting();
+    stop.request_stop();
+    int looks = 0;
+    while (goals.next()) ++looks;
+    if (has_area) {
+      EXPECT_EQ(goals.least_waiting(), no_goal);  // all were looked at before
+    } else {
+      EXPECT_LT(looks, 16);
+      EXPECT_LT(goals.least_waiting(), no_goal);
+      EXPECT_GE(goals.least_waiting(), least);
+    }
+    SetGoals late(problem.task(), options, 0.0, budget);
+    late.spread_out();
+    EXPECT_FALSE(late.saw_all());
+    EXPECT_FALSE(late.next());
+    EXPECT_EQ(late.without_goals().status, PlanStatus::stopped);
+    if (has_area) {
+      EXPECT_LT(late.bound_of_regions(), goals_bound(scenario));
     }
   }
 }

@@ -5,16 +5,19 @@
 
 #include <cmath>
 #include <numbers>
+#include <stop_token>
 #include <string>
 #include <tuple>
 #include <vector>
 
+#include "planners/via_chain.h"
 #include "support/cases.h"
 #include "support/combined.h"
 #include "support/problems.h"
 #include "vandplan/judge.h"
 #include "vandplan/motion.h"
 #include "vandplan/planner.h"
+#include "vandplan/search.h"
 #include "vandplan/steering.h"
 
 namespace vandplan {
@@ -136,6 +139,20 @@ TEST(Via, ProvesThatOneIsBlocked) {
       plan(make_problem(yard({at({20, 20, 0})}, {box(19, 19, 21, 21)})), via_options(2000));
   EXPECT_EQ(result.status, PlanStatus::no_path);
   EXPECT_EQ(result.reason, "the pose of via[0] is not free");
+}
+
+TEST(Via, LooksAtNoPoseOnceTheBudgetIsInterrupted) {
+  const Problem problem = make_problem(yard({anyhow(20, 10), at({30, 0, 0})}));
+  std::stop_source stop;
+  const search::Budget budget({.stop = stop.get_token()});
+  const planning::ViaNodes all(problem.task(), {}, budget);
+  EXPECT_GT(all.looked_at(0), 0U);
+  EXPECT_FALSE(all.is_cut_short());
+  stop.request_stop();
+  const planning::ViaNodes none(problem.task(), {}, budget);
+  EXPECT_EQ(none.looked_at(0), 0U);
+  EXPECT_TRUE(none.is_cut_short());
+  EXPECT_FALSE(none.are_all());
 }
 
 // Most headings are against the one-way street around the via.
