@@ -200,7 +200,7 @@ PlannerAnswer SetGoals::without_goals() const {
                       (is_kept_by_zones_ ? ", and zones let the vehicle come there" : "")};
   }
   const bool saw_each = saw_all_ && std::ranges::none_of(task_.goal_set, is_continuous);
-  return {.status = saw_each ? PlanStatus::no_path : PlanStatus::iteration_limit,
+  return {.status = saw_each ? PlanStatus::no_path : PlanStatus::goal_in_collision,
           .reason = "before none of the " + std::to_string(looked_at_) + poses +
                     "there is a free straight last stretch" +
                     (is_unsteady_ ? ": it is too long to back a trailer" : "")};

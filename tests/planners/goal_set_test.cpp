@@ -429,7 +429,7 @@ TEST(GoalSet, NoTrailerIsBackedFartherThanRoundingAllows) {
   const double most = std::log(1e4) * semitrailer().trailer->wheelbase;
   EXPECT_EQ(backed(most + 20, most - 0.1).status, PlanStatus::solved);
   const PlanResult result = backed(most + 20, most + 0.1);
-  EXPECT_EQ(result.status, PlanStatus::iteration_limit);  // nothing is proven
+  EXPECT_EQ(result.status, PlanStatus::goal_in_collision);  // nothing is proven
   EXPECT_TRUE(result.reason.ends_with("it is too long to back a trailer")) << result.reason;
   EXPECT_EQ(backed(140, 140).status, PlanStatus::solved);
 }
@@ -456,6 +456,16 @@ TEST(GoalSet, SaysThatNothingComesStraightToTheGoal) {
   EXPECT_EQ(result.reason,
             "before none of the 2 poses of the goal that were looked at there is a free straight "
             "last stretch");
+}
+
+TEST(GoalSet, SaysThatNothingComesStraightToAnArea) {
+  GoalRegion bay = region({28, 30}, {-1, 1}, {-0.1, 0.1});
+  bay.straight = 20;
+  const PlanResult result = plan(
+      make_problem(yard({bay}, {box(10, -9, 11, 9), box(50, -9, 51, 9)})), with_iterations(500));
+  EXPECT_EQ(result.status, PlanStatus::goal_in_collision);
+  EXPECT_TRUE(result.reason.ends_with("there is a free straight last stretch")) << result.reason;
+  EXPECT_EQ(result.iterations, 0);
 }
 
 TEST(GoalSet, DrivesTheLastStretchAgainIfTheStartIsTheGoal) {
