@@ -23,7 +23,7 @@ namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
 
-/// Work on the most promising goal after which twice as many goals are looked at [iterations].
+/// Work on the most promising goal after which another one is looked at [iterations].
 constexpr double work_of_doubling = 64.0;
 /// Work on a goal is weighted by its cost over the best cost, to a power that grows, as a first
 /// path says little. The power grows by 1 in so many iterations, up to `severity`.
@@ -96,14 +96,20 @@ class SetRun {
 
   [[nodiscard]] int next_rank() const { return static_cast<int>(std::bit_width(joined_)); }
 
+  /// Work that counts for a goal of a rank on which so much was done. Before there is a path all
+  /// goals of a rank together get half as much work as the first goal, which may be as good.
+  [[nodiscard]] double counted(double work, int rank) const {
+    return best_ == nullptr ? std::ldexp(work + work_of_doubling, rank)
+                            : work + work_of_doubling * (1 + rank);
+  }
+
   [[nodiscard]] bool may_win(const Candidate& goal) const {
     return !goal.is_done && (best_ == nullptr || &goal == best_ || goal.bound < best_->cost);
   }
 
   /// [3] [4] Priority of a goal; the one with the least comes next.
   [[nodiscard]] double priority(const Candidate& goal) const {
-    const double joins = work_of_doubling * (goal.path ? 0 : goal.rank);
-    const double work = static_cast<double>(goal.spent) + work_of_doubling + joins;
+    const double work = counted(static_cast<double>(goal.spent), goal.path ? 0 : goal.rank);
     if (best_ == nullptr) return work;
     const double dearer = goal.path ? goal.cost / best_->cost : doubt;
     double weight = 1.0;
@@ -132,8 +138,7 @@ class SetRun {
     };
     for (Candidate& goal : candidates_) look_at(goal);
     const double best = best_ == nullptr ? endless : best_->cost;
-    while (goals_.least_waiting() < best && work_of_doubling * (1 + next_rank()) < least &&
-           join()) {
+    while (goals_.least_waiting() < best && counted(0.0, next_rank()) < least && join()) {
       look_at(candidates_.back());
     }
     const bool is_beside = static_cast<double>(work_beside_) + work_of_doubling < least;

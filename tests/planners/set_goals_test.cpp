@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-// In which order do goals of a set come, and how many are looked at?
+// In which order do goals of a set come, how many are looked at, and which get the work?
 #include "planners/set_goals.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <set>
 #include <stop_token>
 #include <vector>
 
+#include "planners/path_search.h"
+#include "planners/plan_to_set.h"
 #include "support/problems.h"
 #include "vandplan/search.h"
 
@@ -101,6 +106,48 @@ TEST(SetGoals, TheFirstHasTheLeastBoundOfAll) {
     if (goal) {
       EXPECT_GE(goal->bound, first->bound) << region;
     }
+  }
+}
+
+/// A search that finds a path after so many iterations.
+class LateSearch final : public planning::PathSearch {
+ public:
+  explicit LateSearch(std::int64_t late) : late_(late) {}
+
+  bool advance(std::int64_t most) override {
+    iterations_ += std::min<std::int64_t>(most, 16);
+    return true;
+  }
+  [[nodiscard]] std::optional<std::vector<Segment>> path() override {
+    if (iterations_ < late_) return std::nullopt;
+    return std::vector{Segment{0.0, 100.0}};
+  }
+  [[nodiscard]] std::int64_t iterations() const override { return iterations_; }
+  [[nodiscard]] PlannerAnswer answer() override {
+    PlannerAnswer answer{.status = PlanStatus::iteration_limit, .iterations = iterations_};
+    answer.segments = path();
+    if (answer.segments) answer.anytime = {{0.0, iterations_, 100.0}};
+    return answer;
+  }
+
+ private:
+  std::int64_t late_, iterations_ = 0;
+};
+
+// Where each of 64 goals takes long, one of them gets along.
+TEST(SetGoals, TheFirstGetsAQuarterOfTheWorkUntilThereIsAPath) {
+  Scenario scenario = both_rows();
+  scenario.goal_set = {{.x = {20, 60}, .y = {-10, 10}, .heading = {-3.0, 3.0}}};
+  const Problem problem = make_problem(scenario);
+  PlanOptions options;
+  options.budget.max_iterations = 100'000;
+  for (const std::int64_t late : {100, 2000, 8000}) {
+    const auto search_to = [&](const Task&, const PlanOptions&, const Path*) {
+      return std::make_unique<LateSearch>(late);
+    };
+    const PlannerAnswer answer = planning::plan_to_set(problem.task(), options, 0.0, search_to);
+    ASSERT_FALSE(answer.anytime.empty());
+    EXPECT_LT(answer.anytime.front().iteration, 4 * late + 64 * 16);
   }
 }
 
