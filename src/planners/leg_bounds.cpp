@@ -318,8 +318,10 @@ double LegBounds::sum_of_least(double Leg::*known) const {
   return sum;
 }
 
-double LegBounds::least() {
-  while (!is_settled_) {
+double LegBounds::least() { return least(search::Budget({})); }
+
+double LegBounds::least(const search::Budget& budget) {
+  while (!is_settled_ && !budget.is_interrupted()) {
     work_ -= find_chain();
     is_settled_ = work_ <= 0 || least_ == no_chain || !improve_chain();
   }

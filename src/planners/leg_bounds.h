@@ -34,6 +34,8 @@ class LegBounds {
 
   /// The bound [m or s].
   [[nodiscard]] double least();
+  /// The bound [m or s], or what is known of it once the budget is interrupted.
+  [[nodiscard]] double least(const search::Budget& budget);
 
  private:
   /// What is known of a leg from one part to another.

@@ -25,10 +25,9 @@ namespace vandplan::planning {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr std::int64_t work_of_turn = 256;  // iterations of a leg in one turn
-constexpr std::int64_t patience_of_leg =
-    20'000;                              // iterations after which a leg without a path is given up
-constexpr std::int64_t first_look = 32;  // iterations of each leg before a trial is dropped
+constexpr std::int64_t work_of_turn = 256;        // iterations of a leg in one turn
+constexpr std::int64_t patience_of_leg = 20'000;  // iterations of a leg until it is given up
+constexpr std::int64_t first_look = 32;        // iterations of each leg before a trial is dropped
 constexpr std::int64_t chance_of_trial = 256;  // most iterations of each leg of a trial
 constexpr double is_near_best = 1.05;        // a trial up to so many times the best gets its chance
 constexpr double first_step_beside = 0.125;  // first step beside a node [share of its intervals]
@@ -104,7 +103,7 @@ class ViaSearch final : public PathSearch {
 
   [[nodiscard]] PlannerAnswer answer() override {
     PlannerAnswer answer{.status = PlanStatus::solved, .iterations = iterations_};
-    if (task_.moving.empty()) answer.lower_bound = bounds_.least();
+    if (task_.moving.empty()) answer.lower_bound = bounds_.least(budget_);
     if (best_) {
       answer.segments = best_;
       answer.anytime = trace_;
@@ -182,6 +181,10 @@ class ViaSearch final : public PathSearch {
     iterations_ += work;
     leg.path = leg.search->path();
     bounds_.raise(leg.via, leg.task.start, leg.task.goal, leg.search->proven());
+    if (iterations_ >= next_bound_) {  // in the end the time for that may be over
+      (void)bounds_.least(budget_);
+      next_bound_ = iterations_ + iterations_ / 4;
+    }
     if (leg.is_done && !leg.path) {
       const PlannerAnswer answer = leg.search->answer();
       leg.is_closed = answer.status == PlanStatus::no_path;
@@ -375,7 +378,8 @@ class ViaSearch final : public PathSearch {
   double cost_ = infinite;
   std::vector<CostSample> trace_;
   std::int64_t iterations_ = 0, spent_on_legs_ = 0, spent_on_trials_ = 0;
-  std::string reason_;     // why the last leg that was given up has no path
+  std::int64_t next_bound_ = 4 * work_of_turn;  // iteration at which the bound is looked at
+  std::string reason_;                          // why the last leg that was given up has no path
   bool is_proven_ = true;  // whether all legs that were given up are proven to have no path
   std::deque<std::pair<std::size_t, ViaNode>> waiting_;  // nodes to try, with their vias
   std::optional<ViaTrial> trial_;

@@ -183,9 +183,8 @@ double SetGoals::bound_of_regions() {
         length_lower_bound_to(task_, region, halvings_of_set / task_.goal_set.size(), budget_);
     least = std::min(least, bound_of_length(length));
   }
-  const bool has_regions = least < std::numeric_limits<double>::infinity();
-  if (!task_.via.empty() && has_regions && !budget_.is_interrupted()) {
-    least = std::max(least, LegBounds(task_, pricing_, work_past_vias).least());
+  if (!task_.via.empty() && least < std::numeric_limits<double>::infinity()) {
+    least = std::max(least, LegBounds(task_, pricing_, work_past_vias).least(budget_));
   }
   bound_of_regions_ = least;
   return least;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -242,6 +243,19 @@ TEST(LegBounds, HalveIntervals) {
   EXPECT_LE(leg_bound(problem, shortest_style), least);
   EXPECT_GE(leg_bound(problem, shortest_style), 0.99 * least);
   EXPECT_LT(leg_bound(problem, shortest_style, 0), 0.9 * least);
+}
+
+// With many goals behind vias there are as many bounds to look at in the end.
+TEST(LegBounds, StayAsTheyAreOnceTheBudgetIsInterrupted) {
+  GoalRegion region = region_of_pose({20, 10, 0});
+  region.x = {10, 30};
+  const Problem problem = past({{{region}}}, {40, 0, 0});
+  const planning::Pricing pricing(problem.task(), shortest_style);
+  planning::LegBounds bounds(problem.task(), pricing, some_work);
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_EQ(bounds.least(search::Budget({.stop = stop.get_token()})), 0);
+  EXPECT_GT(bounds.least(search::Budget({})), 40);
 }
 
 TEST(LegBounds, TakeWhatIsProvenOfALeg) {
