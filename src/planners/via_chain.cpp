@@ -34,10 +34,8 @@ ViaNodes::ViaNodes(const Task& task, const search::CostRule& rule, const search:
         std::clamp<std::size_t>(max_nodes_of_via / regions, 2, max_nodes_of_region);
     for (std::size_t region = 0; region < regions; ++region) {
       spread(alone, region, most, [&](const GoalPoint& point) {
-        if (is_cut_short_ || budget.is_interrupted()) {
-          is_cut_short_ = true;
-          return false;
-        }
+        is_cut_short_ = is_cut_short_ || budget.is_interrupted();
+        if (is_cut_short_) return false;
         ++looked_at;
         const ViaNode node{.point = point, .state = state_of(alone, point)};
         if (!is_free(node)) return false;

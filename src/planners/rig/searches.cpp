@@ -73,7 +73,8 @@ void Searches::begin(Line& line) {
   line.task = has_found_ ? shift % tasks_.size() : 0;
   line.has_prices_in_force = rule == 0;
   const std::size_t grown = std::min(round, most_rounds);
-  const double cycle = shift_of_cycle * static_cast<double>(round / finer_rounds);
+  const std::size_t cycles = round / finer_rounds;
+  const double cycle = shift_of_cycle * static_cast<double>(cycles);
   const double exponent = static_cast<double>(round % finer_rounds) + cycle - std::floor(cycle);
   const double step = line.kind.step * std::pow(finer, exponent);
   const bool is_forward = line.kind.is_forward && setting_->pricing.rule().allows_both();
