@@ -137,6 +137,17 @@ TEST(JudgeOfVias, CountsTheTimeOfAStop) {
   }
 }
 
+// The vehicle also stands at the first via when it comes back, but by then it has passed the
+// second.
+TEST(JudgeOfVias, StopsBeforeTheViasBehind) {
+  const Path there_and_back{{}, {{0.0, 10.0}, {0.0, 10.0}, {0.0, -10.0}, {0.0, 5.0}}};
+  const auto stop = [&](const std::vector<Via>& via) {
+    return speed_options(along(there_and_back, via), there_and_back).limits.at(0).begin;
+  };
+  EXPECT_EQ(stop({at({10, 0, 0}, true)}), 30.0);
+  EXPECT_EQ(stop({at({10, 0, 0}, true), at({20, 0, 0})}), 10.0);
+}
+
 TEST(JudgeOfVias, HoldsDrivesToStops) {
   const Path line{{}, {{0.0, 30.0}}};
   const Problem problem = along(line, {at({12, 0, 0}, true)});

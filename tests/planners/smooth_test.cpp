@@ -279,6 +279,22 @@ TEST(SmoothDoor, SlidesAViaAlongItsSet) {
   EXPECT_LE(smoothed.result.cost, 1.01 * plan(problem, more).cost);
 }
 
+// The wheels are turned at the via, or turn there at a stop. Each leg follows its part of the path.
+TEST(SmoothDoor, FollowsAPathThatTurnsAtAVia) {
+  const Path bend{{}, {{0, 5}, {0.1, 8}, {-0.1, 16}, {0.1, 8}, {0, 5}}};
+  const Problem alone = problem_of({}, end_pose(bend), {});
+  PlanOptions options;
+  options.budget.max_iterations = 20;
+  const auto smoothed = [&](double at, bool stop) {
+    const Problem problem = with_via(alone, {{{region_of_pose(pose_at(bend, at))}, stop}});
+    return smooth(problem, bend, SmoothMethod::optimised, options).result;
+  };
+  const PlanResult rolling = smoothed(21, false);
+  EXPECT_EQ(rolling.status, PlanStatus::solved) << rolling.reason;
+  EXPECT_LT(rolling.cost, 60);
+  EXPECT_LT(smoothed(13, true).cost, 55);
+}
+
 // The second via lies on the way back, where the path has been before.
 TEST(SmoothDoor, KeepsTheOrderOfVias) {
   const Problem problem =
