@@ -99,6 +99,12 @@ struct GroundPart {
   double max_speed = std::numeric_limits<double>::infinity();
 };
 
+/// What zones and masks are asked for.
+enum class GroundRules : std::uint8_t {
+  all,
+  prices,  ///< costs alone: speeds are infinite
+};
+
 /// Order in which segments are driven in time.
 enum class InTime : std::uint8_t {
   onward,
@@ -188,8 +194,8 @@ class CollisionChecker {
   /// The parts of a segment from `from`, from its begin to its end, with what zones and masks say
   /// there. The places where the rear axle enters and leaves an area are exact but for rounding.
   /// For a whole body they are off by at most a millimetre.
-  [[nodiscard]] std::vector<GroundPart> ground_along(const LocalState& from,
-                                                     const Segment& segment) const;
+  [[nodiscard]] std::vector<GroundPart> ground_along(const LocalState& from, const Segment& segment,
+                                                     GroundRules which = GroundRules::all) const;
 
   /// `is_free` of the tractor alone, as if it pulled no trailer and there were no zones.
   [[nodiscard]] bool tractor_is_free(const LocalPose& from,

@@ -282,6 +282,10 @@ class Connector {
   [[nodiscard]] bool is_free(const LocalState& from, const Piece& piece);
   [[nodiscard]] bool is_free(const LocalState& from, const Segment& segment);
   [[nodiscard]] bool is_free(const LocalState& state) const { return checker_.is_free(state); }
+  /// Whether a segment breaks no rule of a zone, whatever else is in its way.
+  [[nodiscard]] bool obeys_zones(const LocalState& from, const Segment& segment) const {
+    return checker_.obeys_zones(from, segment, rule_.in_time);
+  }
 
   /// The free begin of the piece, found by halving. Where the curvature is continuous it ends with
   /// straight wheels.

@@ -307,9 +307,10 @@ bool CollisionChecker::has_speed_limits() const noexcept {
 }
 
 std::vector<GroundPart> CollisionChecker::ground_along(const LocalState& from,
-                                                       const Segment& segment) const {
+                                                       const Segment& segment,
+                                                       GroundRules which) const {
   if (!data_->zones) return {{0.0, std::abs(segment.length)}};
-  return data_->zones->along(from, segment);
+  return data_->zones->along(from, segment, which);
 }
 
 bool CollisionChecker::tractor_is_free(const LocalPose& from,

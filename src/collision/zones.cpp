@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <numbers>
 
@@ -199,7 +200,11 @@ Zones::Zones(const Vehicle& vehicle, std::span<const Zone> zones, std::span<cons
   for (const Zone& zone : zones) all_.emplace_back(vehicle, zone);
   for (const Checked& each : all_) {
     if (has_rules(each.zone)) ruling_.push_back({each.box, &each});
-    if (each.zone.cost != 1.0 || each.zone.max_speed) telling_.push_back({each.box, &each});
+    if (each.zone.cost != 1.0) telling_.push_back({each.box, &each});
+  }
+  prices_ = telling_.size();
+  for (const Checked& each : all_) {
+    if (each.zone.cost == 1.0 && each.zone.max_speed) telling_.push_back({each.box, &each});
   }
   for (const Mask& mask : masks) {
     if (mask.use != MaskUse::obstacles) masks_.emplace_back(mask);
@@ -220,12 +225,21 @@ bool Zones::have_speed_limits() const noexcept {
   return std::ranges::any_of(all_, limits) || std::ranges::any_of(masks_, is_limit);
 }
 
+// Whether no zone can hold within `length` [m] of a place.
+bool Zones::is_far_from(std::span<const Boxed> zones, const Pose& place, double length) noexcept {
+  const Bounds reached = box_around(place, length);
+  return std::ranges::all_of(zones,
+                             [&](const Boxed& each) { return are_apart(reached, each.box); });
+}
+
 bool Zones::allow(const LocalState& from, std::span<const Segment> segments,
                   InTime in_time) const noexcept {
   if (ruling_.empty()) return true;
   const int sign = in_time == InTime::onward ? 1 : -1;
   LocalState state = from;
+  double left = length(segments);
   for (const Segment& segment : segments) {
+    if (is_far_from(ruling_, state.pose, left)) return true;
     const int gear = segment.length < 0 ? -sign : sign;
     const LocalState end = advance(vehicle_, state, segment);
     const Bounds axle = box_of_axle(state.pose, segment, end.pose);
@@ -233,24 +247,29 @@ bool Zones::allow(const LocalState& from, std::span<const Segment> segments,
       if (!are_apart(axle, box) && !zone->allows(vehicle_, state, segment, gear)) return false;
     }
     state = end;
+    left -= std::abs(segment.length);
   }
   return true;
 }
 
-std::vector<GroundPart> Zones::along(const LocalState& from, const Segment& segment) const {
+std::vector<GroundPart> Zones::along(const LocalState& from, const Segment& segment,
+                                     GroundRules which) const {
   const double length = std::abs(segment.length);
-  const Bounds reached = box_around(from.pose, length);
-  const auto is_far = [&](const Boxed& each) { return are_apart(reached, each.box); };
-  if (masks_.empty() && std::ranges::all_of(telling_, is_far)) return {{0.0, length}};
+  const std::span<const Boxed> zones(telling_.data(),
+                                     which == GroundRules::prices ? prices_ : telling_.size());
+  if (masks_.empty() && is_far_from(zones, from.pose, length)) return {{0.0, length}};
   const Bounds axle = box_of_axle(from.pose, segment, advance(from.pose, segment));
   std::vector<const Checked*> near;
   std::vector<double> places{0.0, length};
-  for (const auto& [box, zone] : telling_) {
+  for (const auto& [box, zone] : zones) {
     if (are_apart(axle, box)) continue;
     near.push_back(zone);
     zone->add_changes(vehicle_, from, segment, axle, places);
   }
-  for (const MaskCells& mask : masks_) mask.add_changes(from.pose, segment, places);
+  for (const MaskCells& mask : masks_) {
+    if (which == GroundRules::prices && mask.use() != MaskUse::cost) continue;
+    mask.add_changes(from.pose, segment, places);
+  }
   if (near.empty() && masks_.empty()) return {{0.0, length}};
   std::sort(places.begin(), places.end());
   std::vector<GroundPart> parts;
@@ -265,6 +284,7 @@ std::vector<GroundPart> Zones::along(const LocalState& from, const Segment& segm
       part.max_speed = std::min(part.max_speed, each->zone.max_speed.value_or(part.max_speed));
     }
     for (const MaskCells& mask : masks_) mask.tell({there.pose.x, there.pose.y}, part);
+    if (which == GroundRules::prices) part.max_speed = std::numeric_limits<double>::infinity();
     if (!parts.empty() && parts.back().cost == part.cost &&
         parts.back().max_speed == part.max_speed) {
       parts.back().end = part.end;

@@ -38,7 +38,8 @@ class Zones {
                            InTime in_time) const noexcept;
 
   /// What zones and masks say along a segment.
-  [[nodiscard]] std::vector<GroundPart> along(const LocalState& from, const Segment& segment) const;
+  [[nodiscard]] std::vector<GroundPart> along(const LocalState& from, const Segment& segment,
+                                              GroundRules which) const;
 
  private:
   struct Checked;
@@ -48,9 +49,14 @@ class Zones {
     const Checked* zone;
   };
 
+  [[nodiscard]] static bool is_far_from(std::span<const Boxed> zones, const Pose& place,
+                                        double length) noexcept;
+
   Vehicle vehicle_;
   std::vector<Checked> all_;
-  std::vector<Boxed> ruling_, telling_;  // Zones that forbid something; with a price or a speed.
+  std::vector<Boxed> ruling_;   // Zones that forbid something.
+  std::vector<Boxed> telling_;  // Zones with a price, and then those with a speed alone.
+  std::size_t prices_ = 0;      // Number of zones with a price.
   std::vector<MaskCells> masks_;
 };
 

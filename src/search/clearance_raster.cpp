@@ -23,8 +23,8 @@ ClearanceRaster::ClearanceRaster(const Task& task, const Bounds& box, double mos
     : ground_(&task.world->local()),
       map_(ground_->map ? task.checker.get() : nullptr),
       margin_(task.least_margin),
-      is_trusted_(ground_->kerbs.empty() && task.vehicle.outline.empty() &&
-                  std::ranges::none_of(ground_->zones, collision::has_rules)) {
+      is_trusted_(ground_->kerbs.empty() && task.vehicle.outline.empty()),
+      has_rules_(std::ranges::any_of(ground_->zones, collision::has_rules)) {
   const Footprint body = footprint(task.vehicle);
   const double reach = std::hypot((body.front + body.rear) / 2, body.half_width);
   middle_ = static_cast<float>((body.front - body.rear) / 2);

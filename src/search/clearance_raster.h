@@ -27,9 +27,11 @@ class ClearanceRaster {
   /// Clearance at a pose with this cosine and sine of the heading [m]; negative if bodies overlap.
   /// Requires that `step` is finished. Map cells are looked up when first asked for.
   [[nodiscard]] float clearance(float x, float y, float cos, float sin) noexcept;
-  /// Whether a pose with enough clearance is free: there are neither kerbs nor rules of
-  /// zones, and the body is a rectangle.
+  /// Whether a pose with enough clearance is free but for rules of zones: there are no kerbs, and
+  /// the body is a rectangle.
   [[nodiscard]] bool is_trusted() const noexcept { return is_trusted_; }
+  /// Whether zones have rules.
+  [[nodiscard]] bool has_rules() const noexcept { return has_rules_; }
   /// Approximate error of the clearance [m].
   [[nodiscard]] float fineness() const noexcept { return static_cast<float>(raster_.side) / 4; }
 
@@ -60,7 +62,7 @@ class ClearanceRaster {
   std::vector<float> distances_;  // Distance from a cell's centre to the nearest obstacle [m].
   std::vector<bool> is_asked_;    // Whether the map was looked up, for each cell.
   std::vector<Disc> discs_;
-  bool is_trusted_;
+  bool is_trusted_, has_rules_;
   std::size_t polygon_ = 0;  // Obstacle marked next.
   std::size_t corner_ = 0;   // End of the side marked next.
 };

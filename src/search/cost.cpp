@@ -329,7 +329,9 @@ double ground_cost(const Task& task, const CostRule& rule, const LocalState& fro
   const auto& top = task.vehicle.limits.max_speed;
   const double usual = 1 / (gear > 0 ? top.forward : top.reverse);  // [s/m]
   double sum = 0.0;
-  for (const auto& [begin, end, factor, max_speed] : task.checker->ground_along(from, segment)) {
+  const GroundRules which = rule.slowness_price == 0.0 ? GroundRules::prices : GroundRules::all;
+  for (const auto& [begin, end, factor, max_speed] :
+       task.checker->ground_along(from, segment, which)) {
     if (sum > cutoff) break;
     const double of_zone = rule.has_priced_ground ? factor : 1.0;
     sum += (of_zone - 1.0) * rule.weight(gear) * (end - begin);

@@ -183,9 +183,9 @@ bool DriveField::enter(Node& node, float& rank) {
   const Segment step = step_to(node);
   const float sure =
       sure_steps * static_cast<float>(std::abs(step.length)) + sure_fineness * raster_.fineness();
-  if ((clearance < sure || !raster_.is_trusted()) && !connector_.is_free(pose(parent), step)) {
-    return false;
-  }
+  const bool is_sure = clearance >= sure && raster_.is_trusted();
+  if (!is_sure && !connector_.is_free(pose(parent), step)) return false;
+  if (is_sure && raster_.has_rules() && !connector_.obeys_zones(pose(parent), step)) return false;
   node.is_open = true;
   node.near = near_at(clearance);
   const float added = 0.5F * (node.near + parent.near) * static_cast<float>(std::abs(step.length));

@@ -251,8 +251,7 @@ bool SiteField::look_at(Offer& offer) const {
   if (clearance < -raster_->fineness()) return false;
   const Label& from = labels_[label.parent];
   label.near = near_at(clearance);
-  label.is_sure =
-      raster_->is_trusted() && clearance >= step_of(from.heading, label.gear, label.arc).sure;
+  label.is_sure = is_trusted() && clearance >= step_of(from.heading, label.gear, label.arc).sure;
   offer.cost += surcharge(from, label);
   return true;
 }

@@ -104,6 +104,8 @@ class SiteField {
   [[nodiscard]] float surcharge(const Label& from, const Label& to) const;
   [[nodiscard]] bool look_at(Offer& offer) const;
   [[nodiscard]] bool is_free(const Label& label) const;
+  /// Whether a pose with enough clearance is free.
+  [[nodiscard]] bool is_trusted() const { return raster_->is_trusted() && !raster_->has_rules(); }
   void pull(Id state);
   void pull_from(Id from, const Step& step, Id state);
   void take(const Offer& offer);

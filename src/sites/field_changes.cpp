@@ -20,9 +20,9 @@ constexpr double raster_cells = 3.0;  // by which a place of the raster may be o
 
 void SiteField::renew(const Task& task, std::span<const GroundChange> changed) {
   const bool had_prices = rule_.has_priced_ground;
-  const bool was_trusted = raster_->is_trusted();
+  const bool was_trusted = is_trusted();
   set_ground(task);
-  if (rule_.has_priced_ground != had_prices || raster_->is_trusted() != was_trusted) reset();
+  if (rule_.has_priced_ground != had_prices || is_trusted() != was_trusted) reset();
   root();
   double longest = 0.0;
   for (const Step& step : steps_) longest = std::max(longest, static_cast<double>(step.length));

@@ -252,6 +252,29 @@ TEST(PricesOfZones, AreIntegrals) {
   EXPECT_NEAR(cost_of(arc, {{10, 0, 0}, {{0.1, 5 * pi}}}), 5 * pi * (1 + 100.0 / 2), 1e-7);
 }
 
+// Where time has no price, planners ask for prices alone: edges of speeds would cut segments in
+// vain.
+TEST(PricesOfZones, AreToldWithoutSpeeds) {
+  const Zone dear{.area = box(10, -5, 20, 5), .cost = 2.0};
+  const Zone slow{.area = box(15, -5, 30, 5), .max_speed = 1.0};
+  const Zone both{.area = box(30, -5, 35, 5), .cost = 3.0, .max_speed = 2.0};
+  const Problem problem = make_problem(with_zones({0, 0, 0}, {40, 0, 0}, {slow, both, dear}));
+  const auto ends_of = [&](GroundRules which) {
+    std::vector<double> ends;
+    for (const GroundPart& part :
+         problem.task().checker->ground_along(start_state(problem.task()), {0.0, 40.0}, which)) {
+      ends.push_back(part.end);
+      EXPECT_TRUE(which == GroundRules::all || std::isinf(part.max_speed));
+    }
+    return ends;
+  };
+  const auto near = [](const std::vector<double>& a, const std::vector<double>& b) {
+    return std::ranges::equal(a, b, [](double x, double y) { return std::abs(x - y) < 1e-9; });
+  };
+  EXPECT_TRUE(near(ends_of(GroundRules::all), {10, 15, 20, 30, 35, 40}));
+  EXPECT_TRUE(near(ends_of(GroundRules::prices), {10, 20, 30, 35, 40}));
+}
+
 TEST(PricesOfZones, MultiplyThatOfCloseness) {
   Scenario scenario = with_zones({0, 0, 0}, {30, 0, 0}, {{.area = box(10, -5, 20, 5), .cost = 3}});
   scenario.obstacles = {box(-30, 1.775, 70, 3)};  // half a metre beside the body

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "base/trigonometry.h"
@@ -130,16 +131,18 @@ TEST(ClearanceRaster, IsNoGroundForTrustBesideKerbsOrWithAnOutline) {
   EXPECT_FALSE(ClearanceRaster(with_outline.task(), area, 1.0).is_trusted());
 }
 
-TEST(ClearanceRaster, IsTrustedWhereZonesForbidNothing) {
-  const auto is_trusted = [](const Zone& zone) {
+TEST(ClearanceRaster, TellsWhetherZonesForbidAnything) {
+  const auto has_rules = [](const Zone& zone) {
     const Problem problem = problem_in({.bounds = area, .zones = {zone}}, {}, {20, 0, 0});
-    return ClearanceRaster(problem.task(), area, 1.0).is_trusted();
+    const ClearanceRaster raster(problem.task(), area, 1.0);
+    EXPECT_TRUE(raster.is_trusted());
+    return raster.has_rules();
   };
   const Polygon square = box(-5, 5, 5, 15);
-  EXPECT_TRUE(is_trusted({.area = square, .cost = 3.0, .max_speed = 2.0}));
-  EXPECT_FALSE(is_trusted({.area = square, .closed = true}));
-  EXPECT_FALSE(is_trusted({.area = square, .gears = AllowedGears::forward}));
-  EXPECT_FALSE(is_trusted({.area = square, .direction = HeadingRange{-1, 1}}));
+  EXPECT_FALSE(has_rules({.area = square, .cost = 3.0, .max_speed = 2.0}));
+  EXPECT_TRUE(has_rules({.area = square, .closed = true}));
+  EXPECT_TRUE(has_rules({.area = square, .gears = AllowedGears::forward}));
+  EXPECT_TRUE(has_rules({.area = square, .direction = HeadingRange{-1, 1}}));
 }
 
 // ---- field ----
@@ -224,6 +227,28 @@ TEST(DriveField, HardlyAnyStepIsBlocked) {
     }
     EXPECT_LT(blocked, 0.02 * static_cast<double>(closed.size()));
   });
+}
+
+TEST(DriveField, NoStepBreaksARule) {
+  const std::vector<Zone> zones = {
+      {.area = box(-20, -10, -5, 10), .closed = true},
+      {.area = box(0, -20, 15, 0), .gears = AllowedGears::forward},
+      {.area = box(-10, 12, 20, 25), .direction = HeadingRange{-1, 1}},
+  };
+  const Problem problem = problem_in({.bounds = area, .zones = zones}, {-30, 0, 0}, {30, 0, 0});
+  Fields fields(problem, driver);
+  for (const auto& [field, connector] :
+       {std::pair{&fields.from_goal, &fields.back}, std::pair{&fields.from_start, &fields.forth}}) {
+    if (field == &fields.from_start) field->look_towards(fields.from_goal);
+    const std::vector<std::int32_t> closed = spread(*field);
+    EXPECT_GT(closed.size(), 1000U);
+    for (const std::int32_t id : closed) {
+      const DriveField::Node& node = field->node(id);
+      if (node.parent == DriveField::none) continue;
+      const Pose from = field->pose(field->node(node.parent));
+      ASSERT_TRUE(connector->obeys_zones(Local(from), field->step_to(node)));
+    }
+  }
 }
 
 TEST(DriveField, KnowsAboutWhatOpenGroundCosts) {
