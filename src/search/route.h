@@ -35,6 +35,11 @@ struct Route {
   void append(std::span<const Leg> more) { replace(legs.size(), legs.size(), more); }
 };
 
+/// Relative gain of a cost that counts as progress.
+inline constexpr double progress = 1e-3;
+/// Rounding of a cost, relative.
+inline constexpr double rounding_of_cost = 1e-12;
+
 /// Largest number of segments of a Reeds-Shepp word.
 inline constexpr std::size_t segments_of_leg = 5;
 

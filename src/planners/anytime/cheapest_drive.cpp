@@ -15,7 +15,6 @@ namespace {
 /// at a higher speed.
 constexpr double sharpnesses[] = {0.5, 0.25, 0.7, 1.0};
 
-constexpr double worth_a_challenge = 1.3;  // a challenger may cost so many times the cheapest route
 constexpr std::uint64_t bending_seeds = 1U << 30;  // seeds above those of shortened routes
 
 }  // namespace
@@ -53,11 +52,11 @@ void CheapestDrive::begin_with(const Route& route) {
 
 bool CheapestDrive::take(Route route) {
   route.cost = measure_(route);
-  if (route.cost < worth_a_challenge * cost_) {
+  if (route.cost < guide_leeway * cost_) {
     for (Bender& bender : benders_) bender.offer(route);
   }
   if (route.cost >= cost_) {
-    if (route.cost < worth_a_challenge * cost_) challengers_.push_back(std::move(route));
+    if (route.cost < guide_leeway * cost_) challengers_.push_back(std::move(route));
     return false;
   }
   cost_ = route.cost;

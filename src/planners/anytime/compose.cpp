@@ -244,11 +244,9 @@ void Composer::add_searches() {
 void Composer::add_length_prover() {
   auto prover = std::make_unique<LengthProver>(task_, rule_.only_gear());
   const Share share_now = share(shares::length_prover);
-  const std::int64_t settled =
-      rule_.is_length() ? shares::settled_steps_by_length : shares::settled_steps;
-  Share proofs = [share_now, settled, &prover = *prover](const Progress& now) -> std::int64_t {
+  Share proofs = [share_now, &prover = *prover](const Progress& now) -> std::int64_t {
     if (!now.has_path || (!now.is_settled && prover.has_work())) return 0;
-    return share_now(now) * (now.is_settled ? settled : 1);
+    return share_now(now) * (now.is_settled ? shares::settled_steps : 1);
   };
   Slot& slot = add("length prover", std::move(prover), share_now);
   slot.proofs = std::move(proofs);
@@ -276,9 +274,8 @@ void Composer::add_survey() {
   auto worker = seeker(task, of_survey,
                        [&task, &rule = rule_] { return std::make_unique<Survey>(task, rule); });
   const auto source = [&worker = *worker] { return static_cast<const Survey*>(worker.source()); };
-  const std::int64_t begin = has_relaxed() ? shares::first_relaxed_survey : shares::first_survey;
-  Share share = [source, begin](const Progress& now) -> std::int64_t {
-    const bool is_early = now.iterations < begin;
+  Share share = [source](const Progress& now) -> std::int64_t {
+    const bool is_early = now.iterations < shares::first_survey;
     if (!now.has_path) return 0;
     if (is_early && now.rounds_with_path < shares::rounds_without_work) return 0;
     const Survey* survey = source();
@@ -299,9 +296,7 @@ void Composer::add_wall_prover() {
                    never);
   slot.proofs = [first = is_far_ ? shares::first_wall_round_far
                                  : shares::first_wall_round](const Progress& now) {
-    if (now.has_path || now.rounds < first) return std::int64_t{0};
-    return now.rounds < first + shares::rounds_of_early_wall_steps ? shares::early_wall_steps
-                                                                   : shares::late_wall_steps;
+    return now.has_path || now.rounds < first ? 0 : shares::wall_steps;
   };
 }
 
@@ -309,7 +304,7 @@ void Composer::add_wall_prover() {
 void Composer::add_zone_prover() {
   const auto never = [](const Progress&) { return 0; };
   Slot& slot = add("zone prover", std::make_unique<ZoneProver>(task_, *pricing_, true), never);
-  slot.proofs = share_of_zone_prover(pricing_->counts_time() ? shares::zone_steps_by_time : 1);
+  slot.proofs = share_of_zone_prover();
 }
 
 // [7b] Adds the worker that judges routes by the whole drive.

@@ -10,7 +10,8 @@
 namespace vandplan::anytime {
 namespace {
 
-constexpr double of_rig = 1e-9;  // rounding of the bound of a rig, relative
+/// Slack of drives of rigs, and of prices plus time, relative: ends may be off as much.
+constexpr double of_ends = 1e-6;
 
 }  // namespace
 
@@ -28,7 +29,7 @@ double CostBound::least(const Proven& proven) const {
 }
 
 double CostBound::by_lengths(const Proven& proven) const {
-  if (is_rig_) return judged_of_rig_ * (1 - of_rig);
+  if (is_rig_) return judged_of_rig_ * (1 - of_ends);
   const search::CostRule& rule = pricing_.rule();
   // Ends within the judge's tolerance make the way around obstacles shorter by at most this much.
   const double off = rule.is_length() ? 0.0 : 2 * steering::judged.position;
@@ -40,13 +41,12 @@ double CostBound::by_lengths(const Proven& proven) const {
 }
 
 bool CostBound::is_optimal(double cost, const Proven& proven) const {
-  if (is_rig_) return cost <= std::max(judged_of_rig_, exact_of_rig_ * (1 + of_rig));
-  constexpr double of_both = 1e-6;  // slack of prices plus time, relative: ends may be off as much
+  if (is_rig_) return cost <= std::max(judged_of_rig_, exact_of_rig_ * (1 + of_ends));
   if (pricing_.counts_time()) {
-    return cost <= least(proven) * (1 + (pricing_.is_time() ? rounding_of_cost : of_both));
+    return cost <= least(proven) * (1 + (pricing_.is_time() ? search::rounding_of_cost : of_ends));
   }
-  return cost <=
-         cost_lower_bound(ground_, pricing_.rule(), 0.0) * (1 + rounding_of_cost) + ground_.leeway;
+  return cost <= cost_lower_bound(ground_, pricing_.rule(), 0.0) * (1 + search::rounding_of_cost) +
+                     ground_.leeway;
 }
 
 }  // namespace vandplan::anytime

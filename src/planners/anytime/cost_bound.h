@@ -9,9 +9,6 @@
 
 namespace vandplan::anytime {
 
-/// Rounding of a cost, relative.
-inline constexpr double rounding_of_cost = 1e-12;
-
 /// Lower bound of the cost of all drives, from proven lower bounds of the length of their paths.
 class CostBound {
  public:

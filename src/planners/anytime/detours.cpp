@@ -12,17 +12,12 @@ namespace vandplan::anytime {
 namespace {
 
 constexpr double least_stretch = 2.0;  // least length of a stretch [turning radii]
-/// Ways that are found, and those on the grid, may cost so many times the stretch.
-constexpr double detour_slack = 1.1;
 /// Searches, one of which is chosen at random.
 constexpr std::array<LatticeOptions, 4> detour_searches = {
     LatticeOptions{24, 0.25, 1.5}, LatticeOptions{24, 0.25, 1.2}, LatticeOptions{36, 0.17, 1.2},
     LatticeOptions{48, 0.125, 1.5}};
-constexpr std::int64_t least_expansions = 256;  // expansions of the smallest search
-constexpr std::uint64_t doublings = 4;          // number of sizes of a search, each twice as large
-constexpr double max_stretch = 60.0;            // largest length of a stretch [turning radii]
-constexpr int max_trials = 600;                 // most trials to shorten a way
-constexpr double least_gain_of_detour = 1e-3;   // least gain of a detour [turning radii]
+constexpr std::int64_t expansions = 512;  // expansions of one search
+constexpr double max_stretch = 60.0;      // largest length of a stretch [turning radii]
 
 // Box around the ellipse with foci `a` and `b` that paths of at most `length` between them do not
 // leave.
@@ -79,7 +74,7 @@ void Detours::choose() {
   after_ = part_of(base_, end, whole);
   backwards_ = uniform01(rng_) < 0.5;
   options_ = detour_searches[rng_() % detour_searches.size()];
-  left_ = least_expansions << (rng_() % doublings);
+  left_ = expansions;
 }
 
 void Detours::begin() {
@@ -105,7 +100,7 @@ void Detours::begin() {
 }
 
 void Detours::make_guide(const LocalPose& root, const LocalPose& target) {
-  const Bounds box = ellipse_box(root, target, detour_slack * old_.cost, scene_);
+  const Bounds box = ellipse_box(root, target, worth_shortening * old_.cost, scene_);
   guide_.emplace(
       task_, box, target, root,
       GridDistance::Options{.side = fine_guide_side * task_.vehicle.width, .detour = 1.0});
@@ -133,7 +128,7 @@ void Detours::put_in_place(const Route& way) {
 // is none.
 bool Detours::is_hopeless() const {
   const LocalPose& root = backwards_ ? old_.legs.back().end : old_.start;
-  return !guide_->is_connected() || guide_->at(root.x, root.y) > detour_slack * old_.cost;
+  return !guide_->is_connected() || guide_->at(root.x, root.y) > worth_shortening * old_.cost;
 }
 
 // One trial to shorten the found way. A way that is cheaper than the stretch takes the place of the
@@ -141,10 +136,9 @@ bool Detours::is_hopeless() const {
 bool Detours::patch() {
   patch_->step();
   ++trials_;
-  const double least = least_gain_of_detour * task_.vehicle.min_turning_radius;
-  if (patch_->cost() > old_.cost - least) {
+  if (patch_->cost() > old_.cost * (1 - progress)) {
     const double excess = patch_->cost() / old_.cost - 1.0;
-    if (patch_->is_stalled() || trials_ == max_trials || excess * trials_ > hopeless) end();
+    if (patch_->is_stalled() || excess * trials_ > hopeless) end();
     return false;
   }
   put_in_place(patch_->route());
@@ -170,7 +164,7 @@ bool Detours::search() {
     const LocalPose& last = old_.legs.back().end;
     lattice_.emplace(backwards_ ? last : first, backwards_ ? first : last, beside_, options_,
                      *guide_, *connector_);
-    lattice_->set_cutoff(detour_slack * old_.cost);
+    lattice_->set_cutoff(worth_shortening * old_.cost);
   }
   if (left_-- == 0 || lattice_->is_exhausted()) {
     end();

@@ -16,10 +16,10 @@ namespace {
 using commands::Command;
 using search::Driven, search::gear_of;
 
-/// Stages, counted from the last, where a part may begin.
-constexpr std::size_t max_stages_back = 3;
-constexpr int max_idle_trials = 100;   // trials without a gain that end shaking
-constexpr std::size_t max_beside = 4;  // commands on either side of a blocked one that are changed
+/// Stages, counted from the last, where a part may begin, and commands on either side of a blocked
+/// one that are changed.
+constexpr std::size_t nearby = 4;
+constexpr int max_idle_trials = 100;  // trials without a gain that end shaking
 
 }  // namespace
 
@@ -118,7 +118,7 @@ bool Follower::go_on() {
   double least = std::numeric_limits<double>::infinity();  // blocked length of the best part [m]
   std::vector<Command> best;
   Stage from{};
-  for (std::size_t back = 1; back <= std::min(max_stages_back, stages_.size()); ++back) {
+  for (std::size_t back = 1; back <= std::min(nearby, stages_.size()); ++back) {
     const Stage& stage = stages_[stages_.size() - back];
     std::vector<Command> part = part_between(stage, cuts_[to]);
     if (part.empty()) continue;
@@ -153,8 +153,8 @@ void Follower::measure(std::size_t first, std::size_t last) {
 std::pair<std::size_t, std::size_t> Follower::any_window() {
   std::size_t middle = rng_() % drive_.size();
   while (blocked_[middle] == 0.0) middle = (middle + 1) % drive_.size();
-  const std::size_t before = 1 + rng_() % max_beside;
-  const std::size_t after = 1 + rng_() % max_beside;
+  const std::size_t before = 1 + rng_() % nearby;
+  const std::size_t after = 1 + rng_() % nearby;
   return {middle - std::min(middle, before), std::min(middle + 1 + after, drive_.size())};
 }
 

@@ -68,10 +68,9 @@ bool has_rules_of_ground(const Task& task) {
   return !ground.zones.empty() || !ground.masks.empty();
 }
 
-Share share_of_zone_prover(std::int64_t factor) {
-  return [factor](const Progress& now) {
-    const std::int64_t steps = now.is_settled ? shares::settled_zone_steps : shares::zone_steps;
-    return now.has_path ? growing_share(factor * steps, now.rounds_with_path) : 0;
+Share share_of_zone_prover() {
+  return [](const Progress& now) {
+    return now.has_path ? growing_share(shares::zone_steps, now.rounds_with_path) : 0;
   };
 }
 

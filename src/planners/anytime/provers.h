@@ -88,7 +88,7 @@ class ZoneProver final : public Worker {
   std::optional<search::ZoneBound> added_, all_;  // none before the first step
 };
 
-/// Steps of the zone prover in a round, `factor` times as many as usual.
-[[nodiscard]] Share share_of_zone_prover(std::int64_t factor);
+/// Steps of the zone prover in a round.
+[[nodiscard]] Share share_of_zone_prover();
 
 }  // namespace vandplan::anytime

@@ -13,8 +13,6 @@
 namespace vandplan::anytime {
 namespace {
 
-/// A cost below this share of the noted cost has clearly fallen.
-constexpr double a_good_deal = 0.999;
 constexpr int max_idle_rounds = 128;  // rounds in a row without work that end a run
 
 }  // namespace
@@ -138,7 +136,7 @@ void Run::merge(const Slot& slot, Found& found) {
 }
 
 void Run::note_cost() {
-  if (!has_path() || cost_of_search() >= a_good_deal * noted_cost_) return;
+  if (!has_path() || cost_of_search() >= (1 - search::progress) * noted_cost_) return;
   noted_cost_ = cost_of_search();
   noted_at_ = budget_.iterations();
 }

@@ -73,9 +73,7 @@ inline constexpr std::int64_t cheapest_drive = 192;
 
 /// Iteration at which the survey begins, if there is a route. Earlier it would delay workers that
 /// gain more.
-inline constexpr std::int64_t first_survey = 3000;
-/// Iteration at which a relaxed survey begins. Iterations are slower with continuous curvature.
-inline constexpr std::int64_t first_relaxed_survey = 1000;
+inline constexpr std::int64_t first_survey = 1000;
 /// Rounds with a route after which the survey begins in any case: all other workers may have ended.
 inline constexpr std::int64_t rounds_without_work = 64;
 
@@ -85,24 +83,18 @@ inline constexpr std::int64_t rounds_of_site_way = 16;
 /// Rounds with a route before the bound with headings is raised, if a gap is to be proven: boxes of
 /// poses take long to make.
 inline constexpr std::int64_t first_raise = 24;
-/// Factors of the length prover's share once the best cost hardly falls: by length, and otherwise.
-inline constexpr std::int64_t settled_steps_by_length = 4;
-inline constexpr std::int64_t settled_steps = 8;
+/// Factor of the length prover's share once the best cost hardly falls.
+inline constexpr std::int64_t settled_steps = 4;
 
 /// Round from which the wall prover works, if there is no route. Most runs have a route by then.
 /// Over a whole site its steps are slower.
 inline constexpr std::int64_t first_wall_round = 3;
 inline constexpr std::int64_t first_wall_round_far = 99;
-/// Steps of the wall prover in a round. Most walls are found in its first rounds.
-inline constexpr std::int64_t early_wall_steps = 32;
-inline constexpr std::int64_t late_wall_steps = 3;
-inline constexpr std::int64_t rounds_of_early_wall_steps = 2;
+/// Steps of the wall prover in a round.
+inline constexpr std::int64_t wall_steps = 8;
 
-/// Share of the zone prover with a route [steps a round]: before and after the best cost hardly
-/// falls, and factor by time, when rounds are slow.
-inline constexpr std::int64_t zone_steps = 4;
-inline constexpr std::int64_t settled_zone_steps = 16;
-inline constexpr std::int64_t zone_steps_by_time = 8;
+/// Share of the zone prover with a route [steps a round].
+inline constexpr std::int64_t zone_steps = 8;
 
 }  // namespace shares
 

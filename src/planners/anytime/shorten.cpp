@@ -14,11 +14,9 @@ constexpr double least_gain = 1e-9;  // smallest gain of a trial [m]
 // Cost of one crumb when a measure compares two routes [m or s, as the measure]. Without it drives
 // keep wiggles of some centimetres: 25 in 80 random worlds.
 constexpr double price_of_crumb = 0.4;
-constexpr double guide_leeway = 1.3;  // with a measure a trial may have so many times the price
-constexpr int patience = 200;         // trials in a row without a gain that stall a route
+constexpr int patience = 200;  // trials in a row without a gain that stall a route
 
 constexpr std::size_t legs_of_window = 16;  // legs in a window
-constexpr int trials_of_window = 320;       // most trials in a window
 constexpr int idle_trials_of_window = 48;   // trials without a gain after which the window moves
 
 /// Number of segments that are too short for a driver.
@@ -83,7 +81,6 @@ void Shortener::next_window() {
   } else {
     last_ += std::min(route_.legs.size() - last_, more);
   }
-  visit_ = 0;
   idle_visit_ = 0;
   if (is_whole()) route_.cost = cost_of(connector_.rule(), route_);
 }
@@ -268,9 +265,8 @@ bool Shortener::step() {
                                     : move_place();
   idle_ = shorter ? 0 : idle_ + 1;
   if (is_whole()) return shorter;
-  ++visit_;
   idle_visit_ = shorter ? 0 : idle_visit_ + 1;
-  if (visit_ >= trials_of_window || idle_visit_ >= idle_trials_of_window) move_window();
+  if (idle_visit_ >= idle_trials_of_window) move_window();
   return shorter;
 }
 

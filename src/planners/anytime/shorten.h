@@ -18,6 +18,11 @@ using namespace search;
 /// Relative excess of a route or drive over the best one, times its trials, above which it is
 /// hopeless: what trials gain falls about as one over their number (docs/algorithms/anytime.md).
 inline constexpr double hopeless = 8.0;
+/// A route may cost so many times the best one, as shortening helps.
+inline constexpr double worth_shortening = 1.1;
+/// Where a measure compares routes, prices are only a guide: one that costs so many times as much
+/// may still be better.
+inline constexpr double guide_leeway = 1.3;
 
 /// Improves one route by random trials; a trial is kept only if it is free and cheaper. Of a long
 /// route trials change some legs, the window, and then the next ones. So a trial costs as much
@@ -83,7 +88,6 @@ class Shortener {
   /// Trials may change the legs [first_, last_), the window.
   std::size_t first_ = 0, last_;
   bool goes_back_ = false;  // whether windows move from the goal to the start
-  int visit_ = 0;           // trials in this window
   int idle_visit_ = 0;      // trials in this window since the last gain
   Rng rng_;
   std::vector<Leg> trial_;  // legs of the trial

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "planners/anytime/shorten.h"
 #include "search/grid_distance.h"
 #include "search/wheels.h"
 
@@ -17,7 +18,6 @@ constexpr std::int64_t max_lattice_nodes = 300'000;  // nodes of one search: som
 /// Greediness of the way on the grid that guides the search over a whole site.
 constexpr double greediness_of_far_way = 1.25;
 constexpr std::int64_t one_turn = 256;  // expansions of a turn where searches take turns
-constexpr double slack = 1.1;           // a route may cost so many times the best: shortening helps
 
 // The rule without prices of steering and clearance, for a first route: shortening takes care of
 // them.
@@ -116,7 +116,7 @@ bool Ladder::step() {
   }
   if (finished_) return false;
   if (strung_) return step_strung();
-  lattice_->set_cutoff(slack * cutoff_);
+  lattice_->set_cutoff(worth_shortening * cutoff_);
   const bool found = !lattice_->is_exhausted() && lattice_->step();
   is_done_ = found && is_far_;
   return found;
@@ -128,7 +128,7 @@ bool Ladder::step_strung() {
   if (strung_->step()) return false;
   is_done_ = strung_->is_complete();
   if (!is_done_) strung_.reset();
-  return is_done_ && route().cost < slack * cutoff_;
+  return is_done_ && route().cost < worth_shortening * cutoff_;
 }
 
 // Whether the next search is the one over a whole site.
@@ -154,7 +154,7 @@ bool Ladder::step_rotation() {
                       std::span(coarse_to_fine).subspan(is_tight ? level_ - 1 : 0),
                       is_tight ? max_lattice_nodes : one_turn, *guide_, by_price_);
   }
-  const bool found = rotation_->step(slack * cutoff_);
+  const bool found = rotation_->step(worth_shortening * cutoff_);
   finished_ = rotation_->is_finished();
   return found;
 }

@@ -15,9 +15,8 @@ namespace {
 
 constexpr int max_expansions = 256;  // expansions for one leg
 constexpr double least_apart = 4.0;  // least distance of bends [turning radii]
-/// Most cost of a leg: a factor on the straight distance, and an addition [turning radii].
+/// A leg may cost so many times the straight distance, and the least distance of bends.
 constexpr double leg_factor = 1.5;
-constexpr double leg_slack = 4.0;
 constexpr int max_left_out = 4;  // corners left out in a row, at most
 
 /// Number of steps of the way that are about as long as a distance.
@@ -112,7 +111,7 @@ DrivenBeside Strung::driven_beside_leg() const {
 // Most that a leg may cost. A dearer leg would turn around on its way.
 double Strung::dearest_leg(const LocalPose& corner) const {
   const double apart = std::hypot(corner.x - here().x, corner.y - here().y);
-  return leg_factor * apart + leg_slack * connector_.radius();
+  return leg_factor * apart + least_apart * connector_.radius();
 }
 
 // Drives straight to the next corner, or begins a search if that is blocked or too dear.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "geometry/boxes.h"
+#include "planners/anytime/shorten.h"
 
 namespace vandplan::anytime {
 namespace {
@@ -18,9 +19,9 @@ namespace {
 constexpr std::array<FieldOptions, 4> survey_passes = {
     {{16, 0.4}, {24, 0.25}, {18, 0.3}, {36, 0.25}}};
 constexpr double shift = 0.618;  // shift of the cells each time all passes were used [cells]
-constexpr double excess = 1.1;   // a way may cost so many times the cheapest way of a pass
-/// A way may cost so many times the best route, because ways are crooked.
-constexpr double worth_a_pass = 1.2;
+/// A way may cost so many times the best route, because ways are crooked, and a joining word so
+/// many times the steps that it replaces.
+constexpr double crooked = 1.2;
 constexpr std::int64_t max_poses = 200'000;  // poses expanded by the field from the goal
 constexpr double max_cells = 1e6;            // cells of places and headings in one field
 constexpr int poses_of_step = 32;            // poses expanded in one step
@@ -31,10 +32,6 @@ constexpr std::int64_t bin_headings = 8;     // bins of the heading
 /// A word that joins two branches replaces so many steps of one branch, and half as many of the
 /// other.
 constexpr std::array<std::size_t, 7> steps_replaced = {1, 2, 3, 4, 6, 8, 12};
-/// Most cost of the joining word: a factor on the cost of the replaced steps, and an addition
-/// [turning radii].
-constexpr double joint_slack = 1.3;
-constexpr double least_joint = 0.5;
 
 Bounds box_around(const Task& task) {
   const Bounds scene = sampling_region(task, Region::scene);
@@ -74,7 +71,7 @@ bool Survey::prepare() {
 }
 
 void Survey::begin_pass() {
-  most_ = worth_a_pass * cutoff_;
+  most_ = crooked * cutoff_;
   options_ = survey_passes[passes_ % survey_passes.size()];
   const double area = (box_.x_max - box_.x_min) * (box_.y_max - box_.y_min);
   const double least_cell = std::sqrt(area * options_.headings / max_cells) / forth_.radius();
@@ -101,7 +98,7 @@ bool Survey::meet(std::int32_t id) {
   const double turn = wrap_angle(task_.start.heading - from_goal_->pose(node).heading);
   if (std::abs(turn) > std::numbers::pi / options_.headings) return false;
   has_met_ = true;
-  from_goal_->set_cutoff(excess * static_cast<double>(node.cost) + forth_.radius());
+  from_goal_->set_cutoff(worth_shortening * static_cast<double>(node.cost) + forth_.radius());
   if (!join({{}, {task_.start}}, branch(*from_goal_, task_.goal, id))) return false;
   price(forth_, route_);
   return kinds_.is_new(route_, forth_.radius());
@@ -124,7 +121,7 @@ void Survey::go_forth() {
                                              forth_.rule().initial_gear, most_);
   from_start_->look_towards(*from_goal_);
   if (from_start_->is_exhausted()) return end();
-  from_start_->set_cutoff(excess * from_start_->least_cost() + forth_.radius());
+  from_start_->set_cutoff(worth_shortening * from_start_->least_cost() + forth_.radius());
   bin_ = std::max(1.0, 2 * options_.cell) * forth_.radius();
   columns_ = static_cast<std::int64_t>((box_.x_max - box_.x_min) / bin_) + 2;
   rows_ = static_cast<std::int64_t>((box_.y_max - box_.y_min) / bin_) + 2;
@@ -229,7 +226,7 @@ bool Survey::join(const Branch& head, const Branch& tail) {
       const std::size_t heads = head.nodes.size() - of_head;
       const std::size_t tails = tail.nodes.size() - of_tail;
       const double replaced = cost_of_last(head, of_head) + cost_of_last(tail, of_tail);
-      const double cutoff = joint_slack * replaced + least_joint * forth_.radius();
+      const double cutoff = crooked * replaced;
       const std::optional<Connection> joint =
           forth_.connect(head.poses[heads], tail.poses[tails],
                          {0.0, cutoff, driven_around(head, heads, tail, tails)});

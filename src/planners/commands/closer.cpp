@@ -275,10 +275,9 @@ bool Closer::is_held() const {
 }
 
 double error_growth(const Vehicle& vehicle, double hitch_angle, const Segment& segment) {
-  constexpr double tick = 1e-6;  // step of the numerical derivative [rad]
-  const double apart = hitch_angle_after(vehicle, hitch_angle + tick, segment) -
-                       hitch_angle_after(vehicle, hitch_angle - tick, segment);
-  return std::abs(apart) / (2 * tick);
+  const double apart = hitch_angle_after(vehicle, hitch_angle + difference, segment) -
+                       hitch_angle_after(vehicle, hitch_angle - difference, segment);
+  return std::abs(apart) / (2 * difference);
 }
 
 /// Whether rounding errors of the hitch angle stay small. Where the rig is exactly straight from

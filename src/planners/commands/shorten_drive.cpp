@@ -8,15 +8,14 @@
 #include <utility>
 
 #include "base/splice.h"
+#include "search/route.h"
 
 namespace vandplan::commands {
 namespace {
 
-constexpr double progress = 1e-3;                    // relative gain that counts as progress
 constexpr int patience = 600;                        // trials without progress that stall a drive
 constexpr std::size_t most_segments_of_window = 10;  // commands of a random window
 constexpr std::size_t reach = 3;           // commands on either side that make up for one left out
-constexpr double rounding = 1e-12;         // relative gain that is rounding
 constexpr double swept_gain = 0.01;        // least relative gain of a command left out by a sweep
 constexpr std::size_t reach_of_sweep = 2;  // commands on either side that a sweep changes
 
@@ -184,7 +183,7 @@ void DriveShortener::price_trial(const Window& window) {
 
 /// Most clearance cost of the trial for which the drive costs less than `limit`.
 double DriveShortener::left_for_near(const Window& window, double limit) const {
-  double left = limit * (1 - rounding) - cost_ - sum(tried_.prices);
+  double left = limit * (1 - search::rounding_of_cost) - cost_ - sum(tried_.prices);
   for (std::size_t i = window.first; i < window.last; ++i) {
     left += driving_.prices[i] + driving_.near[i];
   }
@@ -275,7 +274,7 @@ bool DriveShortener::step() {
   ++idle_;
   if (commands_.empty()) return false;
   const bool is_better = sweeps() ? sweep() : try_anything();
-  if (cost_ < progress_cost_ * (1 - progress)) {
+  if (cost_ < progress_cost_ * (1 - search::progress)) {
     progress_cost_ = cost_;
     idle_ = 0;
   }

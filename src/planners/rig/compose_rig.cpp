@@ -102,8 +102,7 @@ void add_provers(anytime::Portfolio& portfolio, const Setting& setting) {
       {.name = "zone prover",
        .worker = std::make_unique<anytime::ZoneProver>(setting.task, *portfolio.pricing, false),
        .share = nothing});
-  portfolio.slots.back().proofs = anytime::share_of_zone_prover(
-      portfolio.pricing->counts_time() ? anytime::shares::zone_steps_by_time : 1);
+  portfolio.slots.back().proofs = anytime::share_of_zone_prover();
 }
 
 }  // namespace
