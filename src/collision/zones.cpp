@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <numbers>
 
@@ -202,13 +201,18 @@ Zones::Zones(const Vehicle& vehicle, std::span<const Zone> zones, std::span<cons
     if (has_rules(each.zone)) ruling_.push_back({each.box, &each});
     if (each.zone.cost != 1.0) telling_.push_back({each.box, &each});
   }
-  prices_ = telling_.size();
+  price_zones_ = telling_.size();
   for (const Checked& each : all_) {
     if (each.zone.cost == 1.0 && each.zone.max_speed) telling_.push_back({each.box, &each});
   }
-  for (const Mask& mask : masks) {
-    if (mask.use != MaskUse::obstacles) masks_.emplace_back(mask);
-  }
+  const auto add_masks = [&](MaskUse use) {
+    for (const Mask& mask : masks) {
+      if (mask.use == use) masks_.emplace_back(mask);
+    }
+  };
+  add_masks(MaskUse::cost);
+  price_masks_ = masks_.size();
+  add_masks(MaskUse::max_speed);
 }
 
 Zones::~Zones() = default;
@@ -255,9 +259,10 @@ bool Zones::allow(const LocalState& from, std::span<const Segment> segments,
 std::vector<GroundPart> Zones::along(const LocalState& from, const Segment& segment,
                                      GroundRules which) const {
   const double length = std::abs(segment.length);
-  const std::span<const Boxed> zones(telling_.data(),
-                                     which == GroundRules::prices ? prices_ : telling_.size());
-  if (masks_.empty() && is_far_from(zones, from.pose, length)) return {{0.0, length}};
+  const bool is_all = which == GroundRules::all;
+  const auto zones = std::span(telling_).first(is_all ? telling_.size() : price_zones_);
+  const auto masks = std::span(masks_).first(is_all ? masks_.size() : price_masks_);
+  if (masks.empty() && is_far_from(zones, from.pose, length)) return {{0.0, length}};
   const Bounds axle = box_of_axle(from.pose, segment, advance(from.pose, segment));
   std::vector<const Checked*> near;
   std::vector<double> places{0.0, length};
@@ -266,11 +271,8 @@ std::vector<GroundPart> Zones::along(const LocalState& from, const Segment& segm
     near.push_back(zone);
     zone->add_changes(vehicle_, from, segment, axle, places);
   }
-  for (const MaskCells& mask : masks_) {
-    if (which == GroundRules::prices && mask.use() != MaskUse::cost) continue;
-    mask.add_changes(from.pose, segment, places);
-  }
-  if (near.empty() && masks_.empty()) return {{0.0, length}};
+  for (const MaskCells& mask : masks) mask.add_changes(from.pose, segment, places);
+  if (near.empty() && masks.empty()) return {{0.0, length}};
   std::sort(places.begin(), places.end());
   std::vector<GroundPart> parts;
   for (std::size_t i = 1; i < places.size(); ++i) {
@@ -281,10 +283,11 @@ std::vector<GroundPart> Zones::along(const LocalState& from, const Segment& segm
     for (const Checked* each : near) {
       if (!each->holds(there)) continue;
       part.cost *= each->zone.cost;
-      part.max_speed = std::min(part.max_speed, each->zone.max_speed.value_or(part.max_speed));
+      if (is_all) {
+        part.max_speed = std::min(part.max_speed, each->zone.max_speed.value_or(part.max_speed));
+      }
     }
-    for (const MaskCells& mask : masks_) mask.tell({there.pose.x, there.pose.y}, part);
-    if (which == GroundRules::prices) part.max_speed = std::numeric_limits<double>::infinity();
+    for (const MaskCells& mask : masks) mask.tell({there.pose.x, there.pose.y}, part);
     if (!parts.empty() && parts.back().cost == part.cost &&
         parts.back().max_speed == part.max_speed) {
       parts.back().end = part.end;

@@ -54,10 +54,10 @@ class Zones {
 
   Vehicle vehicle_;
   std::vector<Checked> all_;
-  std::vector<Boxed> ruling_;   // Zones that forbid something.
-  std::vector<Boxed> telling_;  // Zones with a price, and then those with a speed alone.
-  std::size_t prices_ = 0;      // Number of zones with a price.
-  std::vector<MaskCells> masks_;
+  std::vector<Boxed> ruling_;     // Zones that forbid something.
+  std::vector<Boxed> telling_;    // Zones with a price, and then those with a speed alone.
+  std::vector<MaskCells> masks_;  // Masks of prices, and then those of speeds.
+  std::size_t price_zones_ = 0, price_masks_ = 0;  // Number of those with a price.
 };
 
 }  // namespace vandplan::collision
