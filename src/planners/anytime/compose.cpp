@@ -83,9 +83,9 @@ class Composer {
   [[nodiscard]] Share share(const Row& row) const;
   Slot& add(std::string_view name, std::unique_ptr<Worker> worker, Share share);
   template <class Make>
-  [[nodiscard]] std::unique_ptr<Seeker> seeker(const Task& task, std::uint64_t stream,
+  [[nodiscard]] std::unique_ptr<Worker> seeker(const Task& task, std::uint64_t stream,
                                                Make make) const;
-  [[nodiscard]] Share share_of_search(const Row& row, const Seeker& own, const Seeker& other) const;
+  [[nodiscard]] Share share_of_search(const Row& row, const Worker& own, const Worker& other) const;
   void take_known(const Path& known);
   void add_searches();
   void add_length_prover();
@@ -205,22 +205,18 @@ Slot& Composer::add(std::string_view name, std::unique_ptr<Worker> worker, Share
 }
 
 template <class Make>
-std::unique_ptr<Seeker> Composer::seeker(const Task& task, std::uint64_t stream, Make make) const {
+std::unique_ptr<Worker> Composer::seeker(const Task& task, std::uint64_t stream, Make make) const {
   return std::make_unique<Seeker>(task, rule_, seed(stream), make);
 }
 
 // Share of the searches from one end. While there is no route, the end with the finer search gets
 // more: its former searches ended soon, as there is little room around it, and it needs fine steps.
-Share Composer::share_of_search(const Row& row, const Seeker& own, const Seeker& other) const {
+Share Composer::share_of_search(const Row& row, const Worker& own, const Worker& other) const {
   if (is_far_) return share(row);
   return [usual = share(row), &own, &other](const Progress& now) {
     const std::int64_t iterations = usual(now);
     if (now.has_path || iterations == 0) return iterations;
-    const auto level = [](const Seeker& searches) -> std::int64_t {
-      const Source* const ladder = searches.source();
-      return ladder == nullptr ? 0 : static_cast<const Ladder*>(ladder)->level();
-    };
-    return iterations + shares::moved_to_finer_search(level(own) - level(other));
+    return iterations + shares::moved_to_finer_search(own.stage() - other.stage());
   };
 }
 
@@ -273,13 +269,11 @@ void Composer::add_survey() {
   const Task& task = has_relaxed() ? *portfolio_.relaxed : task_;
   auto worker = seeker(task, of_survey,
                        [&task, &rule = rule_] { return std::make_unique<Survey>(task, rule); });
-  const auto source = [&worker = *worker] { return static_cast<const Survey*>(worker.source()); };
-  Share share = [source](const Progress& now) -> std::int64_t {
+  Share share = [&worker = *worker](const Progress& now) -> std::int64_t {
     const bool is_early = now.iterations < shares::first_survey;
     if (!now.has_path) return 0;
     if (is_early && now.rounds_with_path < shares::rounds_without_work) return 0;
-    const Survey* survey = source();
-    const bool is_first = survey == nullptr || survey->is_first_pass();
+    const bool is_first = worker.stage() == 0;
     return growing_share(is_first ? shares::first_pass : shares::survey, now.rounds_with_path);
   };
   Slot& slot = add("survey", std::move(worker), std::move(share));

@@ -27,8 +27,7 @@ class Seeker final : public Worker {
                            const Budget& budget) override;
   void offer(const Route& route) override;
   [[nodiscard]] Counts counts() const override;
-  /// The source; null before the first iteration.
-  [[nodiscard]] const Source* source() const { return source_.get(); }
+  [[nodiscard]] std::int64_t stage() const override { return source_ ? source_->stage() : 0; }
 
  private:
   void listen(const Told& told);

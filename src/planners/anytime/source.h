@@ -3,6 +3,8 @@
 #pragma once
 // Where do routes come from that nobody has shortened yet?
 
+#include <cstdint>
+
 #include "planners/anytime/worker.h"
 #include "search/route.h"
 
@@ -19,6 +21,8 @@ class Source {
   [[nodiscard]] virtual search::Route route() const = 0;
   /// Whether another step may find anything.
   [[nodiscard]] virtual bool has_work() const { return true; }
+  /// Number of searches begun, or of passes done.
+  [[nodiscard]] virtual std::int64_t stage() const { return 0; }
 
   /// Ignores routes that do not cost less than `cost` from now on [m].
   virtual void set_cutoff(double /*cost*/) {}

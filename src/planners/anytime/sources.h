@@ -38,7 +38,7 @@ class Ladder final : public Source {
   [[nodiscard]] bool has_work() const override { return !finished_; }
   [[nodiscard]] Counts counts() const override;
   /// Number of searches begun before there is a route, from coarse to fine.
-  [[nodiscard]] std::int64_t level() const { return static_cast<std::int64_t>(level_); }
+  [[nodiscard]] std::int64_t stage() const override { return static_cast<std::int64_t>(level_); }
 
  private:
   [[nodiscard]] bool takes_turns() const;

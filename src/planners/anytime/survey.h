@@ -36,9 +36,8 @@ class Survey final : public Source {
   [[nodiscard]] Route route() const override { return route_; }
   /// Sets the cost of the best route; much dearer ways are ignored. Must be called before `step`.
   void set_cutoff(double cost) override { cutoff_ = cost; }
-  /// Whether the survey is in its first pass, which has the coarsest cells.
-  [[nodiscard]] bool is_first_pass() const { return passes_ == 0; }
-
+  /// Number of passes done. The first one has the coarsest cells.
+  [[nodiscard]] std::int64_t stage() const override { return static_cast<std::int64_t>(passes_); }
   [[nodiscard]] Counts counts() const override { return counts_of(forth_) += counts_of(back_); }
 
  private:

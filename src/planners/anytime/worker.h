@@ -74,6 +74,8 @@ class Worker {
   }
   /// Tells the worker of a route that another worker gave up.
   virtual void offer(const search::Route& /*route*/) {}
+  /// Stage of the source that the worker takes routes from; 0 without one.
+  [[nodiscard]] virtual std::int64_t stage() const { return 0; }
 
   /// Works on a proof, in at most `steps` steps. They are no iterations, so results of an iteration
   /// budget do not depend on them. Gives back the number of steps.
