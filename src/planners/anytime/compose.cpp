@@ -238,7 +238,7 @@ void Composer::add_searches() {
 // [6] Adds the length prover. The bound around obstacles comes before the bound with headings. Once
 // the best cost hardly falls, proving gets more of the time.
 void Composer::add_length_prover() {
-  auto prover = std::make_unique<LengthProver>(task_, rule_.only_gear());
+  std::unique_ptr<Worker> prover = length_prover(task_, rule_.only_gear());
   const Share share_now = share(shares::length_prover);
   Share proofs = [share_now, &prover = *prover](const Progress& now) -> std::int64_t {
     if (!now.has_path || (!now.is_settled && prover.has_work())) return 0;
@@ -283,11 +283,7 @@ void Composer::add_survey() {
 // [8] Adds the wall prover, which works while there is no route.
 void Composer::add_wall_prover() {
   const auto never = [](const Progress&) { return 0; };
-  Slot& slot = add("wall prover",
-                   std::make_unique<WallProver>(
-                       std::vector<WallProver::Body>{{&task_, "nothing as wide as the vehicle"}},
-                       rule_.only_gear()),
-                   never);
+  Slot& slot = add("wall prover", wall_prover(task_, nullptr, rule_.only_gear()), never);
   slot.proofs = [first = is_far_ ? shares::first_wall_round_far
                                  : shares::first_wall_round](const Progress& now) {
     return now.has_path || now.rounds < first ? 0 : shares::wall_steps;
@@ -297,7 +293,7 @@ void Composer::add_wall_prover() {
 // [6b] Adds the zone prover.
 void Composer::add_zone_prover() {
   const auto never = [](const Progress&) { return 0; };
-  Slot& slot = add("zone prover", std::make_unique<ZoneProver>(task_, *pricing_, true), never);
+  Slot& slot = add("zone prover", zone_prover(task_, *pricing_, true), never);
   slot.proofs = share_of_zone_prover();
 }
 

@@ -80,27 +80,20 @@ std::optional<anytime::Drive> drive_along(const Setting& setting, const Path& kn
   return Improver(setting, {.commands = *std::move(commands)}, 0).drive();
 }
 
-/// Proves that neither the vehicle nor its trailer gets through.
-std::unique_ptr<anytime::WallProver> wall_prover(const Setting& setting) {
-  std::vector<anytime::WallProver::Body> bodies = {
-      {&setting.task, "nothing as wide as the vehicle"},
-      {&setting.towed, "nothing as wide as the trailer"}};
-  return std::make_unique<anytime::WallProver>(std::move(bodies),
-                                               setting.pricing.rule().only_gear());
-}
-
 // What proves bounds and that there is no path: they get steps of proofs, and no iterations.
 void add_provers(anytime::Portfolio& portfolio, const Setting& setting) {
   const Share nothing = [](const Progress&) { return 0; };
-  portfolio.slots.push_back(
-      {.name = "wall prover", .worker = wall_prover(setting), .share = nothing});
+  portfolio.slots.push_back({.name = "wall prover",
+                             .worker = anytime::wall_prover(setting.task, &setting.towed,
+                                                            setting.pricing.rule().only_gear()),
+                             .share = nothing});
   portfolio.slots.back().proofs = [](const Progress& now) {
     return now.has_path ? 0 : steps_of_proof;
   };
   if (!anytime::has_rules_of_ground(setting.task)) return;
   portfolio.slots.push_back(
       {.name = "zone prover",
-       .worker = std::make_unique<anytime::ZoneProver>(setting.task, *portfolio.pricing, false),
+       .worker = anytime::zone_prover(setting.task, *portfolio.pricing, false),
        .share = nothing});
   portfolio.slots.back().proofs = anytime::share_of_zone_prover();
 }
