@@ -13,9 +13,9 @@
 #include "planners/anytime/detours.h"
 #include "planners/anytime/lattice.h"
 #include "planners/anytime/rotation.h"
-#include "planners/anytime/seeker.h"
 #include "planners/anytime/shorten.h"
 #include "planners/anytime/survey.h"
+#include "planners/anytime/workers.h"
 #include "search/grid_distance.h"
 #include "vandplan/judge.h"
 #include "vandplan/random.h"
@@ -236,13 +236,14 @@ TEST(Survey, LooksForNothingThatCostsMuchMore) {
 // A route that wins for a while may be of a kind that gets cheaper than all others yet.
 TEST(Seeker, KeepsWhatHasWonForAWhile) {
   const Problem problem = problem_of({0, 0, pi}, {100, 0, pi}, {box(40, 20, 60, 30)});
-  anytime::Seeker worker(problem.task(), rules[1], 1,
-                         [&] { return std::make_unique<Survey>(problem.task(), rules[1]); });
+  const auto worker = anytime::seeker(problem.task(), rules[1], 1, [&] {
+    return std::make_unique<Survey>(problem.task(), rules[1]);
+  });
   const Budget budget{BudgetOptions{}};
   Route reverse{problem.task().start, {}, 0.0};
   search::drive_on(reverse.legs, {0.0, -100.0}, problem.task().goal);
   price(Connector(problem.task(), rules[1]), reverse);
-  const anytime::Found found = worker.work(20'000, {&reverse}, budget);
+  const anytime::Found found = worker->work(20'000, {&reverse}, budget);
   ASSERT_GE(found.improvements.size(), 2U);
   for (std::size_t i = 0; i + 1 < found.improvements.size(); ++i) {
     EXPECT_TRUE(std::ranges::any_of(found.given_up, [&](const Route& route) {

@@ -10,10 +10,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
-#include "planners/anytime/cheapest_drive.h"
+#include "planners/anytime/workers.h"
 #include "support/cases.h"
 #include "support/continuity.h"
 #include "support/draws.h"
@@ -488,19 +489,27 @@ TEST(Bending, SavesWhatTheMeasureOfDrivesSays) {
   const Task task = task_of(problem, {}, Steering::continuous);
   const auto of_drive = [](std::span<const Segment> segments) { return bent_squared(segments); };
   const auto of_route = [](const Route& route) { return bent_squared(path_of(route).segments); };
-  anytime::CheapestDrive words(task, priced, 1, of_route);
-  anytime::CheapestDrive drives(task, priced, 1, of_route, of_drive);
-  for (anytime::CheapestDrive* drive : {&words, &drives}) {
-    EXPECT_TRUE(drive->take(word_route(task)));
-    for (int i = 0; i < 1500; ++i) {
-      const double cost = drive->cost();
-      const bool fell = drive->step();
-      EXPECT_EQ(fell, drive->cost() < cost);
+  const Route route = word_route(task);
+  const search::Budget budget{BudgetOptions{}};
+  const auto cheapest = [&](anytime::Worker& worker) {
+    double cost = std::numeric_limits<double>::infinity();
+    anytime::Found found;
+    for (int round = 0; round < 30; ++round) {
+      found = worker.work(50, {.route = &route}, budget);
+      EXPECT_EQ(found.iterations, 50);
+      for (const CostSample& fell : found.improvements) {
+        EXPECT_LT(fell.cost, cost);
+        cost = fell.cost;
+      }
+      EXPECT_EQ(found.drive.value().cost, cost);
     }
-    EXPECT_NEAR(bent_squared(drive->segments()), drive->cost(), 1e-9);
-    expect_continuous({task.start, drive->segments()}, problem, Steering::continuous);
-  }
-  EXPECT_LT(drives.cost(), 0.95 * words.cost());
+    EXPECT_NEAR(bent_squared(found.drive->segments), cost, 1e-9);
+    expect_continuous({task.start, found.drive->segments}, problem, Steering::continuous);
+    return cost;
+  };
+  const double by_words = cheapest(*anytime::cheapest_drive(task, priced, 1, of_route));
+  const double by_drives = cheapest(*anytime::cheapest_drive(task, priced, 1, of_route, of_drive));
+  EXPECT_LT(by_drives, 0.95 * by_words);
 }
 
 // What the default planner makes of it: a lane change of a driver is gentle.

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "planners/anytime/cheapest_drive.h"
-
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
+#include <optional>
 #include <utility>
+#include <vector>
+
+#include "planners/anytime/bend.h"
+#include "planners/anytime/shorten.h"
+#include "planners/anytime/workers.h"
 
 namespace vandplan::anytime {
-
 namespace {
 
 /// Shares of the largest curvature rate, in turns. Wheels that turn over a longer way can be turned
@@ -17,10 +21,53 @@ constexpr double sharpnesses[] = {0.5, 0.25, 0.7, 1.0};
 
 constexpr std::uint64_t bending_seeds = 1U << 30;  // seeds above those of shortened routes
 
-}  // namespace
+class CheapestDrive final : public Worker {
+ public:
+  CheapestDrive(const Task& task, const CostRule& rule, std::uint64_t seed,
+                std::function<double(const Route&)> measure,
+                const Bender::Measure& measure_of_drive);
+
+  [[nodiscard]] bool has_work() const override { return true; }
+  [[nodiscard]] Found work(std::int64_t iterations, const Told& told,
+                           const Budget& budget) override;
+  /// Keeps a route for the next round, where it comes after the best route.
+  void offer(const Route& route) override { offers_.push_back(route); }
+  [[nodiscard]] Counts counts() const override;
+
+ private:
+  void take(Route route);
+  bool step();
+  /// Segments of the cheapest drive: along the route, or bent if that is cheaper.
+  [[nodiscard]] std::vector<Segment> segments() const;
+  /// Cost of the cheapest drive by the measure; infinity while there is no route.
+  [[nodiscard]] double cost() const { return std::min(cost_, bent_cost_); }
+  void begin();
+  void begin_with(const Route& route);
+  void challenge();
+  bool bend();
+
+  std::function<double(const Route&)> measure_;
+  std::deque<Task> tasks_;            // copies of the task with different curvature rates
+  std::deque<Connector> connectors_;  // one connector for each of `tasks_`
+  std::deque<Bender> benders_;        // one bender for each of `tasks_`, if drives are bent
+  std::uint64_t seed_;
+  std::uint64_t beginnings_ = 0;  // shortened routes so far; numbers their seeds
+  std::optional<Route> route_;    // cheapest route
+  double cost_;                   // cost of the cheapest route
+  std::size_t bends_ = 0;         // trials of bending so far
+  std::size_t best_bender_ = 0;   // index of the bender with the cheapest bent drive
+  double bent_cost_;              // cost of the cheapest bent drive
+  int steps_ = 0;                 // trials so far
+  std::vector<Route> offers_;     // routes for the next round
+  std::optional<Shortener> shortener_;
+  std::vector<Route> challengers_;  // dearer routes that may become the cheapest, the newest last
+  bool is_challenger_ = false;      // whether the shortener works on a challenger
+  int trials_ = 0;                  // trials spent on the challenger
+};
 
 CheapestDrive::CheapestDrive(const Task& task, const CostRule& rule, std::uint64_t seed,
-                             Measure measure, const Bender::Measure& measure_of_drive)
+                             std::function<double(const Route&)> measure,
+                             const Bender::Measure& measure_of_drive)
     : measure_(std::move(measure)),
       seed_(seed),
       cost_(std::numeric_limits<double>::infinity()),
@@ -50,19 +97,20 @@ void CheapestDrive::begin_with(const Route& route) {
   shortener_.emplace(connector, route, stream_seed(seed_, ++beginnings_), measure_);
 }
 
-bool CheapestDrive::take(Route route) {
+// Takes a route over if it is cheaper than the one so far. A route that is a little dearer is kept
+// and shortened later.
+void CheapestDrive::take(Route route) {
   route.cost = measure_(route);
   if (route.cost < guide_leeway * cost_) {
     for (Bender& bender : benders_) bender.offer(route);
   }
   if (route.cost >= cost_) {
     if (route.cost < guide_leeway * cost_) challengers_.push_back(std::move(route));
-    return false;
+    return;
   }
   cost_ = route.cost;
   route_ = std::move(route);
   begin();
-  return cost_ < bent_cost_;
 }
 
 // Shortens the newest challenger, which may become cheaper than the best route.
@@ -90,6 +138,7 @@ std::vector<Segment> CheapestDrive::segments() const {
   return benders_[best_bender_].segments();
 }
 
+// One trial to make the drive cheaper by the measure. True if the cheapest drive got cheaper.
 bool CheapestDrive::step() {
   if (!shortener_) return false;
   if (!benders_.empty() && ++steps_ % 2 == 0) return bend();
@@ -131,6 +180,14 @@ Found CheapestDrive::work(std::int64_t iterations, const Told& told, const Budge
   }
   found.drive = {.segments = segments(), .route = route_, .cost = cost()};
   return found;
+}
+
+}  // namespace
+
+std::unique_ptr<Worker> cheapest_drive(const Task& task, const CostRule& rule, std::uint64_t seed,
+                                       std::function<double(const Route&)> measure,
+                                       const Bender::Measure& measure_of_drive) {
+  return std::make_unique<CheapestDrive>(task, rule, seed, std::move(measure), measure_of_drive);
 }
 
 }  // namespace vandplan::anytime

@@ -12,15 +12,13 @@
 
 #include "planners/anytime/bend.h"
 #include "planners/anytime/chain.h"
-#include "planners/anytime/cheapest_drive.h"
 #include "planners/anytime/detours.h"
 #include "planners/anytime/proposals.h"
 #include "planners/anytime/provers.h"
-#include "planners/anytime/refiner.h"
-#include "planners/anytime/seeker.h"
 #include "planners/anytime/shares.h"
 #include "planners/anytime/sources.h"
 #include "planners/anytime/survey.h"
+#include "planners/anytime/workers.h"
 #include "planners/rig/compose_rig.h"
 #include "search/grid_distance.h"
 #include "sites/way.h"
@@ -82,9 +80,6 @@ class Composer {
   [[nodiscard]] Share with_route(const Row& row) const;
   [[nodiscard]] Share share(const Row& row) const;
   Slot& add(std::string_view name, std::unique_ptr<Worker> worker, Share share);
-  template <class Make>
-  [[nodiscard]] std::unique_ptr<Worker> seeker(const Task& task, std::uint64_t stream,
-                                               Make make) const;
   [[nodiscard]] Share share_of_search(const Row& row, const Worker& own, const Worker& other) const;
   void take_known(const Path& known);
   void add_searches();
@@ -204,11 +199,6 @@ Slot& Composer::add(std::string_view name, std::unique_ptr<Worker> worker, Share
       Slot{.name = name, .worker = std::move(worker), .share = std::move(share)});
 }
 
-template <class Make>
-std::unique_ptr<Worker> Composer::seeker(const Task& task, std::uint64_t stream, Make make) const {
-  return std::make_unique<Seeker>(task, rule_, seed(stream), make);
-}
-
 // Share of the searches from one end. While there is no route, the end with the finer search gets
 // more: its former searches ended soon, as there is little room around it, and it needs fine steps.
 Share Composer::share_of_search(const Row& row, const Worker& own, const Worker& other) const {
@@ -223,7 +213,7 @@ Share Composer::share_of_search(const Row& row, const Worker& own, const Worker&
 // [2] [3] Adds lattice searches from both ends.
 void Composer::add_searches() {
   const auto search_from = [this](Root root, std::uint64_t stream) {
-    return seeker(task_, stream, [&task = task_, &rule = rule_, root] {
+    return seeker(task_, rule_, seed(stream), [&task = task_, &rule = rule_, root] {
       return std::make_unique<Ladder>(task, rule, root);
     });
   };
@@ -256,7 +246,7 @@ void Composer::add_length_prover() {
 // [5b] Adds the detours, which have rounds of their own.
 void Composer::add_detours() {
   const std::uint64_t own_seed = stream_seed(seed(of_detours), 0);
-  auto worker = seeker(task_, of_detours, [&task = task_, &rule = rule_, own_seed] {
+  auto worker = seeker(task_, rule_, seed(of_detours), [&task = task_, &rule = rule_, own_seed] {
     return std::make_unique<Detours>(task, rule, own_seed);
   });
   add("detours", std::move(worker), [](const Progress& now) {
@@ -267,7 +257,7 @@ void Composer::add_detours() {
 // [5c] Adds the survey. With continuous curvature it plans the relaxed task.
 void Composer::add_survey() {
   const Task& task = has_relaxed() ? *portfolio_.relaxed : task_;
-  auto worker = seeker(task, of_survey,
+  auto worker = seeker(task, rule_, seed(of_survey),
                        [&task, &rule = rule_] { return std::make_unique<Survey>(task, rule); });
   Share share = [&worker = *worker](const Progress& now) -> std::int64_t {
     const bool is_early = now.iterations < shares::first_survey;
@@ -302,12 +292,11 @@ void Composer::add_cheapest_drive() {
   const auto cost = [&pricing = *pricing_](const Route& route) { return pricing.cost(route); };
   // The clearance of bent drives has no price.
   const Bender::Measure cost_of_bent = pricing_->is_time() ? pricing_->measure() : nullptr;
-  Slot& slot = add(
-      "cheapest drive",
-      std::make_unique<CheapestDrive>(task_, rule_, seed(of_cheapest_drive), cost, cost_of_bent),
-      [](const Progress& now) {
-        return growing_share(shares::cheapest_drive, now.rounds_with_path);
-      });
+  Slot& slot = add("cheapest drive",
+                   cheapest_drive(task_, rule_, seed(of_cheapest_drive), cost, cost_of_bent),
+                   [](const Progress& now) {
+                     return growing_share(shares::cheapest_drive, now.rounds_with_path);
+                   });
   slot.phase = Phase::after;
 }
 
@@ -317,7 +306,7 @@ void Composer::add_proposals(const NamedSource& source, std::uint64_t number) {
   auto make = [&task = task_, &rule = rule_, options = options_, &source, own_seed] {
     return std::make_unique<Proposals>(task, rule, source.make(task, options), own_seed);
   };
-  add(source.name, std::make_unique<Seeker>(task_, rule_, own_seed, std::move(make)),
+  add(source.name, seeker(task_, rule_, own_seed, std::move(make)),
       [share = source.share](const Progress& now) {
         return now.has_path ? growing_share(share, now.rounds_with_path) : share;
       });
@@ -340,7 +329,7 @@ Portfolio Composer::portfolio() && {
   }
   add_searches();
   if (is_far_ || rule_.is_length()) {
-    add("refine", std::make_unique<Refiner>(task_, rule_, seed(of_refine)), share(shares::refine));
+    add("refine", refiner(task_, rule_, seed(of_refine)), share(shares::refine));
   }
   add_length_prover();
   if (is_far_) add_detours();

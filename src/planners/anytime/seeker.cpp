@@ -1,20 +1,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "planners/anytime/seeker.h"
-
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
+#include <vector>
+
+#include "planners/anytime/shorten.h"
+#include "planners/anytime/workers.h"
 
 namespace vandplan::anytime {
+namespace {
 
-Seeker::Seeker(const Task& task, const CostRule& rule, std::uint64_t seed,
-               std::function<std::unique_ptr<Source>()> make)
-    : make_(std::move(make)),
-      connector_(task, rule),
-      seed_(seed),
-      best_cost_(std::numeric_limits<double>::infinity()),
-      told_cost_(best_cost_) {}
+class Seeker final : public Worker {
+ public:
+  Seeker(const Task& task, const CostRule& rule, std::uint64_t seed,
+         std::function<std::unique_ptr<Source>()> make)
+      : make_(std::move(make)),
+        connector_(task, rule),
+        seed_(seed),
+        best_cost_(std::numeric_limits<double>::infinity()),
+        told_cost_(best_cost_) {}
+
+  [[nodiscard]] bool has_work() const override;
+  [[nodiscard]] Found work(std::int64_t iterations, const Told& told,
+                           const Budget& budget) override;
+  void offer(const Route& route) override;
+  [[nodiscard]] Counts counts() const override;
+  [[nodiscard]] std::int64_t stage() const override { return source_ ? source_->stage() : 0; }
+
+ private:
+  void listen(const Told& told);
+  std::optional<double> step();
+  [[nodiscard]] bool begin();
+  [[nodiscard]] bool is_hopeless() const;
+  void give_up();
+
+  std::function<std::unique_ptr<Source>()> make_;
+  std::unique_ptr<Source> source_;
+  Connector connector_;
+  std::uint64_t seed_;
+  double best_cost_;                    // least cost of all routes that the worker knows
+  double told_cost_;                    // cost of the best route that the source was told
+  std::optional<Shortener> candidate_;  // route that is being shortened and may become the best
+  std::int64_t trials_ = 0;             // trials spent on the candidate
+  std::uint64_t candidates_ = 0;        // candidates so far; numbers their seeds
+  std::optional<Route> winner_;         // best new route of this round
+  std::vector<Route> given_up_;         // routes given up in this round, shortened
+};
 
 bool Seeker::has_work() const { return !source_ || candidate_ || source_->has_work(); }
 
@@ -91,6 +124,13 @@ Found Seeker::work(std::int64_t iterations, const Told& told, const Budget& budg
   best_cost_ = winner_->cost;
   found.route = std::move(winner_);
   return found;
+}
+
+}  // namespace
+
+std::unique_ptr<Worker> seeker(const Task& task, const CostRule& rule, std::uint64_t seed,
+                               std::function<std::unique_ptr<Source>()> make) {
+  return std::make_unique<Seeker>(task, rule, seed, std::move(make));
 }
 
 }  // namespace vandplan::anytime
