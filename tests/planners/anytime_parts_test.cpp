@@ -10,11 +10,10 @@
 
 #include "../support/cases.h"
 #include "../support/problems.h"
-#include "planners/anytime/detours.h"
 #include "planners/anytime/lattice.h"
 #include "planners/anytime/rotation.h"
 #include "planners/anytime/shorten.h"
-#include "planners/anytime/survey.h"
+#include "planners/anytime/sources.h"
 #include "planners/anytime/workers.h"
 #include "search/grid_distance.h"
 #include "vandplan/judge.h"
@@ -23,11 +22,9 @@
 namespace vandplan {
 namespace {
 
-using anytime::Detours;
 using anytime::Lattice;
 using anytime::Rotation;
 using anytime::Shortener;
-using anytime::Survey;
 using search::Budget;
 using search::Connector;
 using search::CostRule;
@@ -157,12 +154,12 @@ TEST(Detours, CutsThatOnlyRoundingTellsApartHaveNothingBetweenThem) {
   route.cost = cost_of(rule, route);
   int found = 0;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
-    Detours detours(task, rule, seed);
-    detours.set_route(route);
+    const auto detours = anytime::detours(task, rule, seed);
+    detours->set_route(route);
     for (int i = 0; i < 1000; ++i) {
-      if (!detours.step()) continue;
+      if (!detours->step()) continue;
       ++found;
-      const Pose end = end_pose(path_of(detours.route()));
+      const Pose end = end_pose(path_of(detours->route()));
       EXPECT_NEAR(end.x, task.goal.x, 1e-9);
       EXPECT_NEAR(end.y, task.goal.y, 1e-9);
     }
@@ -173,11 +170,11 @@ TEST(Detours, CutsThatOnlyRoundingTellsApartHaveNothingBetweenThem) {
 /// The routes of so many looks around, while ways that cost little more than `cutoff` count.
 std::vector<Route> survey(const Problem& problem, const CostRule& rule, double cutoff,
                           int steps = 4000) {
-  Survey survey(problem.task(), rule);
-  survey.set_cutoff(cutoff);
+  const auto survey = anytime::survey(problem.task(), rule);
+  survey->set_cutoff(cutoff);
   std::vector<Route> routes;
   for (int i = 0; i < steps; ++i) {
-    if (survey.step()) routes.push_back(survey.route());
+    if (survey->step()) routes.push_back(survey->route());
   }
   return routes;
 }
@@ -236,9 +233,8 @@ TEST(Survey, LooksForNothingThatCostsMuchMore) {
 // A route that wins for a while may be of a kind that gets cheaper than all others yet.
 TEST(Seeker, KeepsWhatHasWonForAWhile) {
   const Problem problem = problem_of({0, 0, pi}, {100, 0, pi}, {box(40, 20, 60, 30)});
-  const auto worker = anytime::seeker(problem.task(), rules[1], 1, [&] {
-    return std::make_unique<Survey>(problem.task(), rules[1]);
-  });
+  const auto worker = anytime::seeker(problem.task(), rules[1], 1,
+                                      [&] { return anytime::survey(problem.task(), rules[1]); });
   const Budget budget{BudgetOptions{}};
   Route reverse{problem.task().start, {}, 0.0};
   search::drive_on(reverse.legs, {0.0, -100.0}, problem.task().goal);

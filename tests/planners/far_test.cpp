@@ -14,9 +14,9 @@
 #include "../support/continuity.h"
 #include "../support/grids.h"
 #include "../support/problems.h"
-#include "planners/anytime/detours.h"
 #include "planners/anytime/lattice.h"
 #include "planners/anytime/shorten.h"
+#include "planners/anytime/sources.h"
 #include "planners/anytime/strung.h"
 #include "search/grid_distance.h"
 #include "search/polygon_squares.h"
@@ -278,15 +278,15 @@ TEST(Detours, OfALongRoutePutShorterStretchesInTheirPlace) {
       route.legs.push_back({*connector.steer(from, via), via});
     }
     route.cost = cost_of(rule, route);
-    anytime::Detours detours(problem.task(), rule, 1);
-    detours.set_route(route);
+    const auto detours = anytime::detours(problem.task(), rule, 1);
+    detours->set_route(route);
     double best = route.cost;
     for (int i = 0; i < 20000; ++i) {
-      if (!detours.step()) continue;
-      EXPECT_LT(detours.route().cost, best);
-      EXPECT_NEAR(cost_of(rule, detours.route()), detours.route().cost, 1e-9);
-      EXPECT_TRUE(check_path(problem, path_of(detours.route()), {}).valid);
-      best = detours.route().cost;
+      if (!detours->step()) continue;
+      EXPECT_LT(detours->route().cost, best);
+      EXPECT_NEAR(cost_of(rule, detours->route()), detours->route().cost, 1e-9);
+      EXPECT_TRUE(check_path(problem, path_of(detours->route()), {}).valid);
+      best = detours->route().cost;
     }
     EXPECT_LT(best, 0.6 * route.cost);
   }
@@ -312,12 +312,12 @@ TEST(Detours, OfALongRouteAreFollowedByWhatIsDrivenThere) {
     task.goal = route.legs.back().end;
     route.cost = cost_of(rule, route);
     ASSERT_LT(largest_jump(path_of(route), task.steering, {}), 1e-9);
-    anytime::Detours detours(task, rule, rng());
-    detours.set_route(route);
+    const auto detours = anytime::detours(task, rule, rng());
+    detours->set_route(route);
     for (int i = 0; i < 3000; ++i) {
-      if (!detours.step()) continue;
+      if (!detours->step()) continue;
       ++found;
-      EXPECT_LT(largest_jump(path_of(detours.route()), task.steering, {}), 1e-9);
+      EXPECT_LT(largest_jump(path_of(detours->route()), task.steering, {}), 1e-9);
     }
   });
   EXPECT_GT(found, is_sanitized ? 0 : 10);

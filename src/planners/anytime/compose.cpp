@@ -12,12 +12,9 @@
 
 #include "planners/anytime/bend.h"
 #include "planners/anytime/chain.h"
-#include "planners/anytime/detours.h"
-#include "planners/anytime/proposals.h"
 #include "planners/anytime/provers.h"
 #include "planners/anytime/shares.h"
 #include "planners/anytime/sources.h"
-#include "planners/anytime/survey.h"
 #include "planners/anytime/workers.h"
 #include "planners/rig/compose_rig.h"
 #include "search/grid_distance.h"
@@ -247,7 +244,7 @@ void Composer::add_length_prover() {
 void Composer::add_detours() {
   const std::uint64_t own_seed = stream_seed(seed(of_detours), 0);
   auto worker = seeker(task_, rule_, seed(of_detours), [&task = task_, &rule = rule_, own_seed] {
-    return std::make_unique<Detours>(task, rule, own_seed);
+    return detours(task, rule, own_seed);
   });
   add("detours", std::move(worker), [](const Progress& now) {
     return now.has_path && now.rounds % shares::far_cycle == 0 ? shares::far_detours : 0;
@@ -257,8 +254,8 @@ void Composer::add_detours() {
 // [5c] Adds the survey. With continuous curvature it plans the relaxed task.
 void Composer::add_survey() {
   const Task& task = has_relaxed() ? *portfolio_.relaxed : task_;
-  auto worker = seeker(task, rule_, seed(of_survey),
-                       [&task, &rule = rule_] { return std::make_unique<Survey>(task, rule); });
+  auto worker =
+      seeker(task, rule_, seed(of_survey), [&task, &rule = rule_] { return survey(task, rule); });
   Share share = [&worker = *worker](const Progress& now) -> std::int64_t {
     const bool is_early = now.iterations < shares::first_survey;
     if (!now.has_path) return 0;
@@ -304,7 +301,7 @@ void Composer::add_cheapest_drive() {
 void Composer::add_proposals(const NamedSource& source, std::uint64_t number) {
   const std::uint64_t own_seed = stream_seed(seed(of_proposals), number);
   auto make = [&task = task_, &rule = rule_, options = options_, &source, own_seed] {
-    return std::make_unique<Proposals>(task, rule, source.make(task, options), own_seed);
+    return proposals(task, rule, source.make(task, options), own_seed);
   };
   add(source.name, seeker(task_, rule_, own_seed, std::move(make)),
       [share = source.share](const Progress& now) {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "planners/anytime/detours.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
+#include "planners/anytime/lattice.h"
+#include "planners/anytime/shorten.h"
+#include "planners/anytime/sources.h"
+#include "search/grid_distance.h"
 #include "search/wheels.h"
+#include "vandplan/random.h"
 
 namespace vandplan::anytime {
 namespace {
@@ -37,10 +41,46 @@ Bounds ellipse_box(const LocalPose& a, const LocalPose& b, double length, const 
           std::max({std::min(scene.y_max, m.y + y), a.y, b.y})};
 }
 
-}  // namespace
+class Detours final : public Source {
+ public:
+  Detours(const Task& task, const CostRule& rule, std::uint64_t seed)
+      : task_(task), rule_(rule), scene_(sampling_region(task, Region::scene)), rng_(seed) {}
 
-Detours::Detours(const Task& task, const CostRule& rule, std::uint64_t seed)
-    : task_(task), rule_(rule), scene_(sampling_region(task, Region::scene)), rng_(seed) {}
+  void set_route(const Route& route) override;
+  [[nodiscard]] bool step() override;
+  [[nodiscard]] Route route() const override { return found_; }
+  [[nodiscard]] Counts counts() const override;
+
+ private:
+  void choose();
+  void begin();
+  void end();
+  void make_guide(const LocalPose& root, const LocalPose& target);
+  [[nodiscard]] bool is_hopeless() const;
+  bool search();
+  void put_in_place(const Route& way);
+  bool patch();
+
+  const Task& task_;
+  CostRule rule_;
+  Bounds scene_;
+  Rng rng_;
+  Route base_;              // best route
+  Route before_, after_;    // parts of the route that stay
+  Route old_;               // stretch that is to be replaced
+  bool backwards_ = false;  // whether the search begins at the end of the stretch
+  DrivenBeside beside_;     // gears beside the stretch, in the direction of the search
+  std::optional<Connector> connector_;
+  std::optional<GridDistance> guide_;
+  bool guided_ = false;  // whether the guide is complete
+  LatticeOptions options_;
+  std::optional<Lattice> lattice_;
+  std::int64_t left_ = 0;           // expansions left for this search
+  std::optional<Shortener> patch_;  // shortens a result of the search
+  int trials_ = 0;                  // trials of shortening it
+  Route found_;
+  Counts former_;  // counts of earlier searches
+};
 
 void Detours::set_route(const Route& route) {
   base_ = route;
@@ -148,6 +188,7 @@ bool Detours::patch() {
   return true;
 }
 
+// Expands one pose, settles some cells of a grid, or shortens a result; needs a route.
 bool Detours::step() {
   if (!guide_) begin();
   if (!guided_) {
@@ -175,6 +216,12 @@ bool Detours::search() {
                  beside_);
   trials_ = 0;
   return false;
+}
+
+}  // namespace
+
+std::unique_ptr<Source> detours(const Task& task, const CostRule& rule, std::uint64_t seed) {
+  return std::make_unique<Detours>(task, rule, seed);
 }
 
 }  // namespace vandplan::anytime

@@ -1,15 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "planners/anytime/proposals.h"
-
 #include <optional>
 #include <utility>
 
 #include "path/finite.h"
 #include "planners/anytime/chain.h"
+#include "planners/anytime/sources.h"
 #include "vandplan/input_error.h"
 
 namespace vandplan::anytime {
+namespace {
+
+class Proposals final : public Source {
+ public:
+  Proposals(const Task& task, const CostRule& rule, std::unique_ptr<PathSource> paths,
+            std::uint64_t seed);
+
+  [[nodiscard]] bool step() override;
+  [[nodiscard]] Route route() const override { return found_; }
+  [[nodiscard]] bool has_work() const override { return paths_->has_work(); }
+  void set_route(const Route& best) override;
+  [[nodiscard]] Counts counts() const override { return counts_of(connector_); }
+
+ private:
+  const Task& task_;
+  Connector connector_;
+  std::unique_ptr<PathSource> paths_;
+  std::uint64_t seed_;
+  std::uint64_t proposed_ = 0;  // paths proposed so far; numbers their seeds
+  Route found_;
+};
 
 Proposals::Proposals(const Task& task, const CostRule& rule, std::unique_ptr<PathSource> paths,
                      std::uint64_t seed)
@@ -31,6 +51,13 @@ bool Proposals::step() {
 
 void Proposals::set_route(const Route& best) {
   paths_->hear({best.start, path_of(best).segments}, best.cost);
+}
+
+}  // namespace
+
+std::unique_ptr<Source> proposals(const Task& task, const CostRule& rule,
+                                  std::unique_ptr<PathSource> paths, std::uint64_t seed) {
+  return std::make_unique<Proposals>(task, rule, std::move(paths), seed);
 }
 
 }  // namespace vandplan::anytime

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 #pragma once
-// Which searches does the anytime planner have for a first route?
+// Which sources of routes does the anytime planner have?
+//
+// Tasks and rules outlive the sources.
 
 #include <cstdint>
 #include <memory>
@@ -13,6 +15,7 @@
 #include "planners/anytime/strung.h"
 #include "search/grid_distance.h"
 #include "search/route.h"
+#include "vandplan/planner.h"
 
 namespace vandplan::anytime {
 
@@ -76,5 +79,24 @@ class Ladder final : public Source {
   std::optional<Lattice> lattice_;  // current search, where `strung_` is none
   std::optional<Rotation> rotation_;
 };
+
+/// Replaces random stretches of a long route by results of a lattice search between their ends. A
+/// result is shortened first. If it is cheaper than the stretch, it becomes a part of the route.
+/// `set_route`, with a length above 0, comes before the first step.
+[[nodiscard]] std::unique_ptr<Source> detours(const Task& task, const CostRule& rule,
+                                              std::uint64_t seed);
+
+/// Searches everywhere for routes of other kinds. Two fields hold the cost of driving from each
+/// pose to the goal, and from the start to each pose. Where both add up to little more than the
+/// least cost, a way leads through. Ways of different kinds become routes of arcs and lines. A
+/// cutoff comes before the first step. The first pass has the coarsest cells.
+/// Method: docs/algorithms/anytime.md, "Survey".
+[[nodiscard]] std::unique_ptr<Source> survey(const Task& task, const CostRule& rule);
+
+/// Makes a free route of each path that a source of the caller proposes, if it finds one. `paths`
+/// must not be null.
+[[nodiscard]] std::unique_ptr<Source> proposals(const Task& task, const CostRule& rule,
+                                                std::unique_ptr<PathSource> paths,
+                                                std::uint64_t seed);
 
 }  // namespace vandplan::anytime
