@@ -11,7 +11,6 @@
 #include "../support/cases.h"
 #include "../support/problems.h"
 #include "planners/anytime/lattice.h"
-#include "planners/anytime/rotation.h"
 #include "planners/anytime/shorten.h"
 #include "planners/anytime/sources.h"
 #include "planners/anytime/workers.h"
@@ -23,7 +22,6 @@ namespace vandplan {
 namespace {
 
 using anytime::Lattice;
-using anytime::Rotation;
 using anytime::Shortener;
 using search::Budget;
 using search::Connector;
@@ -99,12 +97,13 @@ TEST(Rotation, EveryRouteIsValidAndOfInterest) {
     while (guide.step()) {
     }
     Connector connector(problem.task(), rule);
-    Rotation rotation(problem.task().start, problem.task().goal, {}, anytime::coarse_to_fine, 256,
-                      guide, connector);
+    const auto rotation = anytime::rotation(problem.task().start, problem.task().goal, {},
+                                            anytime::coarse_to_fine, 256, guide, connector);
     double cutoff = 150.0;
-    for (int i = 0; i < 3000 && !rotation.is_finished(); ++i) {
-      if (!rotation.step(cutoff)) continue;
-      Route route = rotation.route();
+    for (int i = 0; i < 3000 && rotation->has_work(); ++i) {
+      rotation->set_cutoff(cutoff);
+      if (!rotation->step()) continue;
+      Route route = rotation->route();
       route.cost = cost_of(rule, route);
       expect_valid(problem, rule, route);
       EXPECT_LT(route.cost, cutoff + 1e-9);
@@ -121,10 +120,11 @@ TEST(Rotation, EndsWhenNothingCheaperIsLeft) {
   while (guide.step()) {
   }
   Connector connector(problem.task(), {1.0, 2.0, 5.0, 0});
-  Rotation rotation(problem.task().start, problem.task().goal, {}, anytime::coarse_to_fine, 256,
-                    guide, connector);
-  for (int i = 0; i < 50000 && !rotation.is_finished(); ++i) EXPECT_FALSE(rotation.step(9.0));
-  EXPECT_TRUE(rotation.is_finished());
+  const auto rotation = anytime::rotation(problem.task().start, problem.task().goal, {},
+                                          anytime::coarse_to_fine, 256, guide, connector);
+  rotation->set_cutoff(9.0);
+  for (int i = 0; i < 50000 && rotation->has_work(); ++i) EXPECT_FALSE(rotation->step());
+  EXPECT_FALSE(rotation->has_work());
 }
 
 // Of a turn between straight wheels, which only its ends cut. Its length and the place of the last

@@ -17,7 +17,6 @@
 #include "planners/anytime/lattice.h"
 #include "planners/anytime/shorten.h"
 #include "planners/anytime/sources.h"
-#include "planners/anytime/strung.h"
 #include "search/grid_distance.h"
 #include "search/polygon_squares.h"
 #include "vandplan/judge.h"
@@ -29,7 +28,6 @@ namespace {
 
 using anytime::Lattice;
 using anytime::Shortener;
-using anytime::Strung;
 using search::Connector;
 using search::CostRule;
 using search::GridDistance;
@@ -199,13 +197,13 @@ TEST(Strung, DrivesAlongAWayForward) {
     task.steering = steerings[rng() % steerings.size()];
     const std::vector<Point> way = way_of(problem);
     Connector connector(task, prices);
-    Strung strung(task, way, connector);
-    while (strung.step()) {
-    }
-    if (!strung.is_complete()) return;
+    const auto strung = anytime::strung(task, way, connector);
+    bool is_complete = false;
+    while (strung->has_work()) is_complete = strung->step();
+    if (!is_complete) return;
     ++complete;
     const PathCheck check =
-        check_path(problem, path_of(strung.route()), {.steering = task.steering});
+        check_path(problem, path_of(strung->route()), {.steering = task.steering});
     EXPECT_TRUE(check.valid) << check.reason;
     EXPECT_LT(check.length, 1.03 * length_of(way));
     EXPECT_LT(check.reverse_length, 0.03 * check.length);
@@ -218,10 +216,12 @@ TEST(Strung, GivesUpWhereNobodyGetsThrough) {
   const Problem problem =
       problem_of({0, 0, 0}, {100, 0, 0}, {box(48, 1.2, 52, 80), box(48, -80, 52, -1.2)});
   Connector connector(problem.task());
-  Strung strung(problem.task(), {{0, 0}, {25, 0}, {50, 0}, {75, 0}, {100, 0}}, connector);
-  int steps = 0;
-  while (strung.step()) ASSERT_LT(++steps, 10000);
-  EXPECT_FALSE(strung.is_complete());
+  const auto strung =
+      anytime::strung(problem.task(), {{0, 0}, {25, 0}, {50, 0}, {75, 0}, {100, 0}}, connector);
+  for (int steps = 0; strung->has_work(); ++steps) {
+    ASSERT_LT(steps, 10000);
+    EXPECT_FALSE(strung->step());
+  }
 }
 
 // A raw route of more legs than windows have, as a lattice finds it.

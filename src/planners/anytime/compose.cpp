@@ -209,13 +209,12 @@ Share Composer::share_of_search(const Row& row, const Worker& own, const Worker&
 
 // [2] [3] Adds lattice searches from both ends.
 void Composer::add_searches() {
-  const auto search_from = [this](Root root, std::uint64_t stream) {
-    return seeker(task_, rule_, seed(stream), [&task = task_, &rule = rule_, root] {
-      return std::make_unique<Ladder>(task, rule, root);
-    });
+  const auto searches = [this](auto ladder, std::uint64_t stream) {
+    return seeker(task_, rule_, seed(stream),
+                  [&task = task_, &rule = rule_, ladder] { return ladder(task, rule); });
   };
-  auto from_goal = search_from(Root::goal, of_search_from_goal);
-  auto from_start = search_from(Root::start, of_search_from_start);
+  auto from_goal = searches(ladder_from_goal, of_search_from_goal);
+  auto from_start = searches(ladder_from_start, of_search_from_start);
   Share of_goal = share_of_search(shares::search_from_goal, *from_goal, *from_start);
   Share of_start = share_of_search(shares::search_from_start, *from_start, *from_goal);
   add("search from the goal", std::move(from_goal), std::move(of_goal));

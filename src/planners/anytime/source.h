@@ -31,7 +31,7 @@ class Source {
   /// Tells the source of a route that another worker gave up.
   virtual void offer(const search::Route& /*route*/) {}
 
-  [[nodiscard]] virtual Counts counts() const = 0;
+  [[nodiscard]] virtual Counts counts() const { return {}; }
 };
 
 }  // namespace vandplan::anytime

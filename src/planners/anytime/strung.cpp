@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "planners/anytime/strung.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "base/trigonometry.h"
+#include "planners/anytime/sources.h"
 #include "search/wheels.h"
 
 namespace vandplan::anytime {
@@ -33,7 +33,56 @@ double direction_of(const Point& from, const Point& to) {
   return base::atan_2(to.y - from.y, to.x - from.x);
 }
 
-}  // namespace
+/// Guide of straight distances to the target [m], as if there were no obstacles.
+class Beeline final : public Guide {
+ public:
+  explicit Beeline(const LocalPose& target) : target_(target) {}
+  bool step() override { return false; }
+  [[nodiscard]] bool is_connected() const noexcept override { return true; }
+  [[nodiscard]] double at(double x, double y) const noexcept override {
+    return std::hypot(x - target_.x, y - target_.y);
+  }
+
+ private:
+  LocalPose target_;
+};
+
+class Strung final : public Source {
+ public:
+  Strung(const Task& task, std::vector<Point> way, Connector& connector);
+
+  [[nodiscard]] bool step() override;
+  [[nodiscard]] Route route() const override { return route_; }
+  [[nodiscard]] bool has_work() const override { return !has_ended_; }
+
+ private:
+  [[nodiscard]] double heading_along(double direction) const;
+  [[nodiscard]] bool sees(std::size_t from, std::size_t to);
+  [[nodiscard]] std::size_t farthest_seen(std::size_t from);
+  void pull();
+  void turn_corners();
+  void begin_leg();
+  void search_leg();
+  void reach_corner();
+  [[nodiscard]] double dearest_leg(const LocalPose& corner) const;
+  [[nodiscard]] DrivenBeside driven_beside_leg() const;
+  [[nodiscard]] const LocalPose& here() const;
+
+  const Task& task_;
+  Connector& connector_;
+  GearSign gear_;  // gear for the straight parts of the way
+  std::vector<Point> way_;
+  std::size_t least_places_;              // least number of steps of the way between two bends
+  std::vector<std::size_t> bends_ = {0};  // indices of the places of the way where the string bends
+  std::vector<LocalPose> corners_;        // poses at the bends, without the start
+  std::size_t next_ = 0;                  // index of the corner that the current leg leads to
+  int left_out_ = 0;                      // corners left out in a row
+  std::optional<Beeline> guide_;    // guide of the leg: a straight line, as its ends see each other
+  std::optional<Lattice> lattice_;  // search for the leg, if it is not driven directly
+  int expansions_ = 0;              // expansions of this search
+  bool has_ended_ = false;
+  Route route_;  // route from the start as far as it is found
+};
 
 Strung::Strung(const Task& task, std::vector<Point> way, Connector& connector)
     : task_(task),
@@ -137,32 +186,40 @@ void Strung::reach_corner() {
   left_out_ = 0;
 }
 
-// Goes on with the search for a leg. False if too many corners in a row, or the goal, were not
-// reached.
-bool Strung::search_leg() {
+// Goes on with the search for a leg. The string ends if too many corners in a row, or the goal,
+// were not reached.
+void Strung::search_leg() {
   if (lattice_->step()) {
     route_.append(lattice_->route().legs);
     reach_corner();
-    return true;
+    return;
   }
-  if (++expansions_ < max_expansions && !lattice_->is_exhausted()) return true;
+  if (++expansions_ < max_expansions && !lattice_->is_exhausted()) return;
   lattice_.reset();
-  if (next_ + 1 == corners_.size() || left_out_ == max_left_out) return false;
+  has_ended_ = next_ + 1 == corners_.size() || left_out_ == max_left_out;
   ++next_;
   ++left_out_;
-  return true;
 }
 
 bool Strung::step() {
-  if (is_complete()) return false;
+  if (has_ended_) return false;
   if (corners_.empty()) {
     pull();
+  } else if (next_ == corners_.size()) {
+    has_ended_ = true;
+    return true;
   } else if (lattice_) {
-    return search_leg();
+    search_leg();
   } else {
     begin_leg();
   }
-  return true;
+  return false;
+}
+
+}  // namespace
+
+std::unique_ptr<Source> strung(const Task& task, std::vector<Point> way, Connector& connector) {
+  return std::make_unique<Strung>(task, std::move(way), connector);
 }
 
 }  // namespace vandplan::anytime

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "planners/anytime/sources.h"
-
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "planners/anytime/shorten.h"
+#include "planners/anytime/sources.h"
 #include "search/grid_distance.h"
 #include "search/wheels.h"
 
@@ -29,12 +29,61 @@ CostRule gears_alone(CostRule rule) {
   return rule;
 }
 
+/// End of the task at which the searches begin.
+enum class Root { start, goal };
+
 /// The rule in the direction of a search from `root`.
 CostRule rule_from(const CostRule& rule, Root root) {
   return root == Root::start ? rule : reversed(rule, -rule.final_gear);
 }
 
-}  // namespace
+class Ladder final : public Source {
+ public:
+  Ladder(const Task& task, const CostRule& rule, Root root);
+
+  [[nodiscard]] bool step() override;
+  [[nodiscard]] Route route() const override;
+  [[nodiscard]] bool has_work() const override { return !finished_; }
+  [[nodiscard]] std::int64_t stage() const override { return static_cast<std::int64_t>(level_); }
+  void set_cutoff(double cost) override { cutoff_ = cost; }
+  [[nodiscard]] Counts counts() const override;
+
+ private:
+  [[nodiscard]] bool takes_turns() const;
+  [[nodiscard]] bool is_known() const;
+  bool step_rotation();
+  bool step_strung();
+  [[nodiscard]] DrivenBeside driven_beside_route(const CostRule& rule) const;
+  void next_search();
+  void next_guide();
+  [[nodiscard]] bool needs_next_guide() const;
+  [[nodiscard]] bool goes_far() const;
+
+  const Task& task_;
+  Bounds scene_;
+  LocalPose from_;
+  LocalPose to_;
+  Root root_;
+  bool is_far_;    // whether the task goes over a whole site
+  CostRule rule_;  // prices of the route
+  /// Steers searches before a route is known.
+  Connector by_length_;
+  /// Steers searches once a route is known, in their direction.
+  Connector by_price_;
+  /// Steers along a way over a whole site.
+  std::optional<Connector> by_gears_;
+  std::optional<GridDistance> guide_;
+  double guide_side_ = 1.0;  // side of the next guide's cells [vehicle widths]
+  bool guided_ = false;      // whether the guide is complete
+  bool finished_ = false;    // whether the finest search is done
+  std::size_t level_ = 0;    // index of the next search
+  bool is_done_ = false;     // whether the current search has found what it can
+  double cutoff_;
+  /// Drives along the way of the guide over a whole site; null if that failed.
+  std::unique_ptr<Source> strung_;
+  std::optional<Lattice> lattice_;  // current search, where `strung_` is null
+  std::unique_ptr<Source> rotation_;
+};
 
 Ladder::Ladder(const Task& task, const CostRule& rule, Root root)
     : task_(task),
@@ -88,7 +137,7 @@ void Ladder::next_search() {
   if (goes_far() && guide_->is_connected()) {
     std::vector<Point> way = guide_->way();
     if (root_ == Root::goal) std::reverse(way.begin(), way.end());
-    strung_.emplace(task_, std::move(way), *by_gears_);
+    strung_ = strung(task_, std::move(way), *by_gears_);
   }
   ++level_;
   is_done_ = false;
@@ -125,9 +174,8 @@ bool Ladder::step() {
 // Goes on along the way of the guide. True when its end is reached and the route is not much dearer
 // than the best.
 bool Ladder::step_strung() {
-  if (strung_->step()) return false;
-  is_done_ = strung_->is_complete();
-  if (!is_done_) strung_.reset();
+  is_done_ = strung_->step();
+  if (!is_done_ && !strung_->has_work()) strung_.reset();
   return is_done_ && route().cost < worth_shortening * cutoff_;
 }
 
@@ -150,19 +198,20 @@ bool Ladder::step_rotation() {
       return false;
     }
     const bool is_tight = level_ > coarse_searches;
-    rotation_.emplace(from_, to_, driven_beside_route(by_price_.rule()),
-                      std::span(coarse_to_fine).subspan(is_tight ? level_ - 1 : 0),
-                      is_tight ? max_lattice_nodes : one_turn, *guide_, by_price_);
+    rotation_ = rotation(from_, to_, driven_beside_route(by_price_.rule()),
+                         std::span(coarse_to_fine).subspan(is_tight ? level_ - 1 : 0),
+                         is_tight ? max_lattice_nodes : one_turn, *guide_, by_price_);
   }
-  const bool found = rotation_->step(worth_shortening * cutoff_);
-  finished_ = rotation_->is_finished();
+  rotation_->set_cutoff(worth_shortening * cutoff_);
+  const bool found = rotation_->step();
+  finished_ = !rotation_->has_work();
   return found;
 }
 
 Counts Ladder::counts() const {
   Counts sum = counts_of(by_length_) += counts_of(by_price_);
   if (by_gears_) sum += counts_of(*by_gears_);
-  sum.nodes = rotation_ ? rotation_->size() : lattice_ ? lattice_->size() : 0;
+  sum.nodes = rotation_ ? rotation_->counts().nodes : lattice_ ? lattice_->size() : 0;
   return sum;
 }
 
@@ -172,11 +221,21 @@ Route Ladder::route() const {
     route.cost = cost_of(rule_, route);
     return route;
   }
-  const Route& found = rotation_ ? rotation_->route() : lattice_->route();
-  if (rule_.is_length() && root_ == Root::start) return found;
-  Route route = root_ == Root::start ? found : reversed(found);
+  Route route = rotation_ ? rotation_->route() : lattice_->route();
+  if (rule_.is_length() && root_ == Root::start) return route;
+  if (root_ == Root::goal) route = reversed(route);
   route.cost = cost_of(rule_, route);
   return route;
+}
+
+}  // namespace
+
+std::unique_ptr<Source> ladder_from_start(const Task& task, const CostRule& rule) {
+  return std::make_unique<Ladder>(task, rule, Root::start);
+}
+
+std::unique_ptr<Source> ladder_from_goal(const Task& task, const CostRule& rule) {
+  return std::make_unique<Ladder>(task, rule, Root::goal);
 }
 
 }  // namespace vandplan::anytime
