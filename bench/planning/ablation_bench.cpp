@@ -21,7 +21,6 @@
 
 #include "base/text.h"
 #include "planners/anytime/compose.h"
-#include "planners/anytime/run.h"
 #include "support/figure.h"
 #include "support/plans.h"
 #include "support/random_world.h"
@@ -47,10 +46,10 @@ PlannerAnswer plan_without(const Group& off, const Task& task, const PlanOptions
     slot.share = [](const anytime::Progress&) { return std::int64_t{0}; };
     slot.proofs = {};
   }
-  anytime::Run run(std::move(portfolio), budget, options.budget);
-  while (run.advance()) {
+  const auto run = anytime::begin_run(std::move(portfolio), budget, options.budget);
+  while (run->advance()) {
   }
-  return run.answer();
+  return run->answer();
 }
 
 Planner planner_without(const Group& off) {

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -44,6 +45,8 @@ class PathSearch {
   /// Goes on for one round of at most `most` iterations. False if nothing is left to do or the time
   /// is over.
   virtual bool advance(std::int64_t most) = 0;
+  /// Goes on for one round, which only the budget limits. False as above.
+  bool advance() { return advance(std::numeric_limits<std::int64_t>::max()); }
   /// The cheapest path so far, tidied; none while no path is known.
   [[nodiscard]] virtual std::optional<std::vector<Segment>> path() = 0;
   /// Number of iterations so far.

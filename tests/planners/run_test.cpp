@@ -3,8 +3,6 @@
 
 // Who gets how much, who hears of whom, and what becomes of what is found: with workers that do
 // what they are told.
-#include "planners/anytime/run.h"
-
 #include <gtest/gtest.h>
 
 #include <deque>
@@ -16,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "planners/anytime/portfolio.h"
 #include "support/problems.h"
 
 namespace vandplan {
@@ -24,6 +23,7 @@ namespace {
 using anytime::Counts, anytime::Found, anytime::Phase, anytime::Portfolio;
 using anytime::Progress, anytime::Proven, anytime::Share, anytime::Slot, anytime::Told,
     anytime::Worker;
+using planning::PathSearch;
 using search::Budget, search::Route;
 
 constexpr double nothing = std::numeric_limits<double>::infinity();
@@ -117,7 +117,7 @@ class Scheduling : public ::testing::Test {
   /// The slot of the last worker.
   Slot& slot() { return slots_.back(); }
 
-  anytime::Run& run(const BudgetOptions& options) {
+  PathSearch& run(const BudgetOptions& options) {
     auto pricing = std::make_unique<const planning::Pricing>(problem_.task(), shortest_style);
     const planning::Pricing& prices = *pricing;
     Portfolio portfolio{.pricing = std::move(pricing),
@@ -126,12 +126,13 @@ class Scheduling : public ::testing::Test {
                         .finisher = {problem_.task(), prices, {}},
                         .slots = std::move(slots_),
                         .gap = options.target_gap};
-    return run_.emplace(std::move(portfolio), Budget(options), options);
+    run_ = anytime::begin_run(std::move(portfolio), Budget(options), options);
+    return *run_;
   }
   /// So many rounds.
-  anytime::Run& rounds(int count, BudgetOptions options = {}) {
+  PathSearch& rounds(int count, BudgetOptions options = {}) {
     options.time_limit.reset();
-    anytime::Run& started = run(options);
+    PathSearch& started = run(options);
     for (int i = 0; i < count; ++i) started.advance();
     return started;
   }
@@ -140,7 +141,7 @@ class Scheduling : public ::testing::Test {
   Problem problem_ = open_problem();
   std::deque<Script> scripts_;
   std::vector<Slot> slots_;
-  std::optional<anytime::Run> run_;
+  std::unique_ptr<PathSearch> run_;
 };
 
 TEST_F(Scheduling, EverybodyGetsTheirShareWhileThereIsABudget) {
@@ -148,7 +149,7 @@ TEST_F(Scheduling, EverybodyGetsTheirShareWhileThereIsABudget) {
   const Script& second = add(7);
   BudgetOptions options;
   options.max_iterations = 18;
-  const anytime::Run& run = rounds(3, options);
+  const PathSearch& run = rounds(3, options);
   EXPECT_EQ(run.iterations(), 18);
   ASSERT_EQ(first.calls.size(), 2U);
   EXPECT_EQ(first.calls[0].granted, 5);
@@ -160,7 +161,7 @@ TEST_F(Scheduling, EverybodyGetsTheirShareWhileThereIsABudget) {
 TEST_F(Scheduling, RoundsEndAtAPause) {
   const Script& first = add(5);
   const Script& second = add(7);
-  anytime::Run& run = rounds(0);
+  PathSearch& run = rounds(0);
   EXPECT_TRUE(run.advance(8));
   EXPECT_EQ(first.calls[0].granted, 5);
   EXPECT_EQ(second.calls[0].granted, 3);
@@ -201,7 +202,7 @@ TEST_F(Scheduling, EverybodyHearsOfTheBestRouteInTheNextRound) {
 TEST_F(Scheduling, TheCheapestRouteWinsAndOfEqualOnesTheFirst) {
   add(3).finds = {50.0, 40.0, nothing, 30.0};
   add(3).finds = {45.0, 40.0, 35.0};
-  anytime::Run& run = rounds(4);
+  PathSearch& run = rounds(4);
   const PlannerAnswer answer = run.answer();
   ASSERT_EQ(answer.status, PlanStatus::solved);
   ASSERT_EQ(answer.anytime.size(), 5U);
@@ -227,7 +228,7 @@ TEST_F(Scheduling, WhoRunsDryLosesNothing) {
   Script& dry = add(3);
   dry.finds = {50.0};
   const Script& other = add(4);
-  anytime::Run& run = rounds(1);
+  PathSearch& run = rounds(1);
   dry.has_work = false;
   run.advance();
   EXPECT_EQ(dry.calls[1].granted, 0);
@@ -243,7 +244,7 @@ TEST_F(Scheduling, TheRunEndsWhenNobodyWorksAnyMore) {
   finder.finds = {50.0};
   Script& late = add(3);
   slot().share = [](const Progress& now) { return now.rounds < 90 ? 0 : 3; };
-  anytime::Run& run = rounds(1);
+  PathSearch& run = rounds(1);
   finder.has_work = false;
   for (int i = 0; i < 100; ++i) EXPECT_TRUE(run.advance());
   EXPECT_EQ(run.iterations(), 36);
@@ -255,7 +256,7 @@ TEST_F(Scheduling, TheRunEndsWhenNobodyWorksAnyMore) {
 
 TEST_F(Scheduling, ARunWithoutARouteEndsWhenNobodyWorksAnyMore) {
   add(3).has_work = false;
-  anytime::Run& run = rounds(1);
+  PathSearch& run = rounds(1);
   int more = 0;
   while (run.advance()) ASSERT_LT(++more, 1000);
   EXPECT_EQ(run.answer().status, PlanStatus::node_limit);
@@ -265,13 +266,13 @@ TEST_F(Scheduling, ARunWithoutARouteEndsWhenNobodyWorksAnyMore) {
 TEST_F(Scheduling, ARunWithoutARouteGoesOnWhileSomebodyProves) {
   add(0);
   slot().proofs = always(2);
-  anytime::Run& run = rounds(1000);
+  PathSearch& run = rounds(1000);
   EXPECT_TRUE(run.advance());
 }
 
 TEST_F(Scheduling, APauseDoesNotEndARun) {
   add(3).finds = {50.0};
-  anytime::Run& run = rounds(1);
+  PathSearch& run = rounds(1);
   for (int i = 0; i < 1000; ++i) EXPECT_TRUE(run.advance(0));
 }
 
@@ -282,7 +283,7 @@ TEST_F(Scheduling, RelaxedRoutesAreNoAnswersButOffers) {
   slot().is_relaxed = true;
   slot().feeds = {1};
   const Script& fed = add(3);
-  anytime::Run& run = rounds(4);
+  PathSearch& run = rounds(4);
   EXPECT_EQ(fed.offers, (std::vector{35.0, 30.0, 25.0}));
   EXPECT_EQ(fed.calls.back().told, nothing);
   EXPECT_NE(run.answer().status, PlanStatus::solved);
@@ -307,7 +308,7 @@ TEST_F(Scheduling, AGapIsProvenNoFurtherThanItTakes) {
   slot().proofs = always(1);
   BudgetOptions options;
   options.target_gap = 0.12;
-  anytime::Run& run = rounds(5, options);
+  PathSearch& run = rounds(5, options);
   EXPECT_EQ(prover.proofs, 3);
   EXPECT_EQ(run.iterations(), 3);
   EXPECT_NEAR(run.answer().lower_bound.value_or(0.0), 27.0, 1e-9);
@@ -326,7 +327,7 @@ TEST_F(Scheduling, ProofsAreNoIterations) {
   Script& prover = add(0);
   prover.proof_of_step = 5.0;
   slot().proofs = always(2);
-  anytime::Run& run = rounds(3);
+  PathSearch& run = rounds(3);
   EXPECT_EQ(prover.proofs, 6);
   EXPECT_EQ(run.iterations(), 0);
   EXPECT_NEAR(run.answer().lower_bound.value_or(0.0), 30.0, 1e-9);
@@ -334,7 +335,7 @@ TEST_F(Scheduling, ProofsAreNoIterations) {
 
 TEST_F(Scheduling, AnOptimalRouteEndsTheRun) {
   add(3).finds = {nothing, shortest};
-  anytime::Run& run = rounds(2);
+  PathSearch& run = rounds(2);
   EXPECT_FALSE(run.advance());
   EXPECT_EQ(run.iterations(), 6);
 }

@@ -14,8 +14,11 @@
 #include "planners/anytime/cost_bound.h"
 #include "planners/anytime/finish.h"
 #include "planners/anytime/worker.h"
+#include "planners/path_search.h"
 #include "planners/pricing.h"
+#include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
+#include "vandplan/search.h"
 
 namespace vandplan::anytime {
 
@@ -67,5 +70,12 @@ struct Portfolio {
   /// answer.
   bool routes_are_answers = true;
 };
+
+/// Lets the workers of a portfolio work in rounds. Workers hear of each other only between rounds,
+/// and results are merged in a fixed order. So the outcome does not depend on the number of
+/// threads. `budget` has begun; it was made from `options`.
+[[nodiscard]] std::unique_ptr<planning::PathSearch> begin_run(Portfolio portfolio,
+                                                              const search::Budget& budget,
+                                                              const BudgetOptions& options);
 
 }  // namespace vandplan::anytime
