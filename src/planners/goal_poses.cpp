@@ -9,7 +9,6 @@
 #include <queue>
 
 #include "problem/goal_set.h"
-#include "steering/words.h"
 #include "vandplan/steering.h"
 #include "vandplan/vehicle.h"
 
@@ -266,7 +265,8 @@ PlacedPart placed(const Vehicle& vehicle, const GoalRegion& region, const Region
   const Pose pose = middle_of(vehicle, region, part.middle);
   const double swing = off.position - std::hypot(half_x, half_y);
   const double reach = std::max(swing, 0.0) + steering::judged.position;
-  return {{pose, off},
+  return {pose,
+          off,
           {pose.x - half_x - reach, pose.x + half_x + reach, pose.y - half_y - reach,
            pose.y + half_y + reach}};
 }

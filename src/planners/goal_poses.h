@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "planners/anytime/open_ground.h"
+#include "steering/words.h"
 #include "vandplan/problem.h"
 #include "vandplan/search.h"
 
@@ -84,8 +84,9 @@ struct RegionPart {
 
 /// Where the vehicle is in a part, up to the judge's tolerance.
 struct PlacedPart {
-  anytime::End end;  ///< all poses are so far off this one
-  Bounds box;        ///< box around all places of the rear axle [m]
+  Pose pose;              ///< all poses are near this one
+  steering::Closing off;  ///< how far they are off it
+  Bounds box;             ///< box around all places of the rear axle [m]
 };
 [[nodiscard]] PlacedPart placed(const Vehicle& vehicle, const GoalRegion& region,
                                 const RegionPart& part);

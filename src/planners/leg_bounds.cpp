@@ -27,7 +27,8 @@ double gap_between(const Bounds& a, const Bounds& b) {
 /// The part that holds one pose, up to what it may be off.
 PlacedPart placed_pose(const Pose& pose, const steering::Closing& off) {
   return {
-      {pose, off},
+      pose,
+      off,
       {pose.x - off.position, pose.x + off.position, pose.y - off.position, pose.y + off.position}};
 }
 
@@ -81,7 +82,7 @@ void LegBounds::add_stops(const Task& task, const std::vector<GoalRegion>& regio
       bool is_free = true;
       if (!is_continuous(regions[i])) {
         const LocalState state = state_of(alone, part.middle);
-        stop.place.end.pose = static_cast<const State&>(state).pose;
+        stop.place.pose = static_cast<const State&>(state).pose;
         is_free = task.checker->is_free(state);
       }
       (is_free ? stops : blocked).push_back(std::move(stop));
@@ -99,8 +100,8 @@ LegBounds::Leg LegBounds::blunt_leg(const Stop& from, const Stop& to) const {
 void LegBounds::sharpen(Leg& leg, const Stop& from, const Stop& to) const {
   if (leg.is_sharp) return;
   leg.is_sharp = true;
-  const anytime::OpenGround sharp =
-      anytime::open_ground(from.place.end, to.place.end, vehicle_.min_turning_radius);
+  const anytime::OpenGround sharp = anytime::open_ground(
+      from.place.pose, from.place.off, to.place.pose, to.place.off, vehicle_.min_turning_radius);
   leg.ground = {std::max(leg.ground.forward, sharp.forward),
                 std::max(leg.ground.reverse, sharp.reverse),
                 std::max(leg.ground.shortest, sharp.shortest), sharp.leeway};
@@ -113,10 +114,10 @@ void LegBounds::raise(std::size_t leg, const Pose& from, const Pose& to, const P
   const double turning = std::max(proven.shortest_turn, wall);
   const bool tells_headings = search::bound_disc(vehicle_).ahead != 0.0;
   const auto is_at = [](const Stop& stop, const Pose& pose) {
-    return (stop.region == nullptr || !is_continuous(*stop.region)) && stop.place.end.pose == pose;
+    return (stop.region == nullptr || !is_continuous(*stop.region)) && stop.place.pose == pose;
   };
   const auto is_there = [&](const Stop& stop, const Pose& pose) {
-    const Pose& middle = stop.place.end.pose;
+    const Pose& middle = stop.place.pose;
     return is_at(stop, pose) ||
            (is_one_place(stop.region) && middle.x == pose.x && middle.y == pose.y);
   };
@@ -131,7 +132,7 @@ void LegBounds::raise(std::size_t leg, const Pose& from, const Pose& to, const P
       known.in_zones = std::max(known.in_zones, proven.in_zones);
       const bool is_exact = is_at(first, from) && is_at(last, to);
       if (tells_headings && !is_exact) continue;
-      double least = around - first.place.end.off.position - last.place.end.off.position;
+      double least = around - first.place.off.position - last.place.off.position;
       if (is_exact) {
         sharpen(known, first, last);
         least = std::max(least, turning - known.ground.leeway);
@@ -237,7 +238,7 @@ bool LegBounds::improve_chain() {
     const Stop& stop = stages_[i][chain_[i]];
     if (stop.region == nullptr || !is_continuous(*stop.region)) continue;
     const double size =
-        stop.place.end.off.position + vehicle_.min_turning_radius * stop.place.end.off.heading;
+        stop.place.off.position + vehicle_.min_turning_radius * stop.place.off.heading;
     if (size <= widest) continue;
     widest = size;
     stage = i;

@@ -15,22 +15,17 @@ namespace {
 
 using steering::Closing, steering::judged_curvature;
 
-double distance(const Pose& from, const Pose& to) {
-  return std::hypot(to.x - from.x, to.y - from.y);
-}
-
 // Upper bound of the length between two poses that are `off` from each other: driven ahead, beside
 // and turned on the spot.
 double longest_between(const Closing& off, double radius) {
   return off.position + reeds_shepp_length({}, {0, off.position, 0}, radius) + radius * off.heading;
 }
 
-// How far the last end may be off as seen from the first, if that is off itself.
-Closing seen_from_first(const End& first, const End& last) {
-  const double both = first.off.position + last.off.position;
-  const double apart = distance(first.pose, last.pose) + both;
-  return {both + (first.off.heading + judged_curvature) * apart,
-          first.off.heading + last.off.heading};
+// How far an end may be off as seen from another one, `distance` metres away, that is off itself.
+Closing seen_from_first(const Closing& first, const Closing& last, double distance) {
+  const double both = first.position + last.position;
+  return {both + (first.heading + judged_curvature) * (distance + both),
+          first.heading + last.heading};
 }
 
 }  // namespace
@@ -38,22 +33,23 @@ Closing seen_from_first(const End& first, const End& last) {
 // The Reeds-Shepp length is a distance. So moving an end changes it by at most the length of the
 // move. A path scaled up by `judged_curvature` keeps to the turning radius, and ends farther away
 // by the same share.
-OpenGround open_ground(const End& first, const End& last, double radius) {
-  const double shortest = reeds_shepp_length(first.pose, last.pose, radius);
+OpenGround open_ground(const Pose& first, const Closing& off_first, const Pose& last,
+                       const Closing& off_last, double radius) {
+  const double shortest = reeds_shepp_length(first, last, radius);
+  const double apart = std::hypot(last.x - first.x, last.y - first.y);
   const auto turned = [](const Pose& p) { return Pose{p.x, p.y, p.heading + std::numbers::pi}; };
-  const Closing scaled{last.off.position + judged_curvature * distance(first.pose, last.pose),
-                       last.off.heading};
-  const double leeway = longest_between(first.off, radius) + longest_between(scaled, radius);
-  const Closing off = seen_from_first(first, last);
-  const double forward = steering::dubins_bound(first.pose, last.pose, radius, off);
-  const double reverse = steering::dubins_bound(turned(first.pose), turned(last.pose), radius, off);
+  const Closing scaled{off_last.position + judged_curvature * apart, off_last.heading};
+  const double leeway = longest_between(off_first, radius) + longest_between(scaled, radius);
+  const Closing off = seen_from_first(off_first, off_last, apart);
+  const double forward = steering::dubins_bound(first, last, radius, off);
+  const double reverse = steering::dubins_bound(turned(first), turned(last), radius, off);
   const double slack = 1 + judged_curvature;
   return {forward / slack, reverse / slack, std::max(shortest - leeway, 0.0) / slack, leeway};
 }
 
 OpenGround open_ground(const Task& task, const search::CostRule& rule, const Closing& ends) {
   const double radius = task.vehicle.min_turning_radius;
-  if (!rule.is_length()) return open_ground({task.start, ends}, {task.goal, ends}, radius);
+  if (!rule.is_length()) return open_ground(task.start, ends, task.goal, ends, radius);
   const double shortest = reeds_shepp_length(task.start, task.goal, radius);
   return {shortest, shortest, shortest, 0.0};
 }

@@ -22,15 +22,11 @@ struct OpenGround {
 /// Lower bound of the length of paths in the gears that a rule allows [m].
 [[nodiscard]] double length_lower_bound(const OpenGround& ground, const search::CostRule& rule);
 
-/// An end of a path: it may be `off` from the pose.
-struct End {
-  Pose pose;
-  steering::Closing off = {};
-};
-
-/// Lower bounds for all paths between two ends, whatever their curvatures there. `radius`: turning
-/// radius [m].
-[[nodiscard]] OpenGround open_ground(const End& first, const End& last, double radius);
+/// Lower bounds for all paths between two poses, whatever their curvatures there. Paths may begin
+/// and end as far off them as is said. `radius`: turning radius [m].
+[[nodiscard]] OpenGround open_ground(const Pose& first, const steering::Closing& off_first,
+                                     const Pose& last, const steering::Closing& off_last,
+                                     double radius);
 
 /// Lower bounds of a task. With prices they hold for every path whose ends are off by at most
 /// `ends`, which is the judge's tolerance by default. By length they hold for exact ends only, and
