@@ -2,7 +2,6 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "planners/anytime/anytime.h"
 
-#include "planners/anytime/portfolio.h"
 #include "vandplan/search.h"
 
 namespace vandplan::anytime {

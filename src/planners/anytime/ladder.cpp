@@ -39,7 +39,20 @@ CostRule rule_from(const CostRule& rule, Root root) {
 
 class Ladder final : public Source {
  public:
-  Ladder(const Task& task, const CostRule& rule, Root root);
+  Ladder(const Task& task, const CostRule& rule, Root root)
+      : task_(task),
+        scene_(sampling_region(task, Region::scene)),
+        from_(root == Root::start ? task.start : task.goal),
+        to_(root == Root::start ? task.goal : task.start),
+        root_(root),
+        is_far_(is_site(task, scene_)),
+        rule_(rule),
+        by_length_(task, length_rule(rule_from(rule, root))),
+        by_price_(task, rule_from(rule, root)),
+        cutoff_(std::numeric_limits<double>::infinity()) {
+    if (is_far_) by_gears_.emplace(task, gears_alone(rule));
+    next_guide();
+  }
 
   [[nodiscard]] bool step() override;
   [[nodiscard]] Route route() const override;
@@ -84,21 +97,6 @@ class Ladder final : public Source {
   std::optional<Lattice> lattice_;  // current search, where `strung_` is null
   std::unique_ptr<Source> rotation_;
 };
-
-Ladder::Ladder(const Task& task, const CostRule& rule, Root root)
-    : task_(task),
-      scene_(sampling_region(task, Region::scene)),
-      from_(root == Root::start ? task.start : task.goal),
-      to_(root == Root::start ? task.goal : task.start),
-      root_(root),
-      is_far_(is_site(task, scene_)),
-      rule_(rule),
-      by_length_(task, length_rule(rule_from(rule, root))),
-      by_price_(task, rule_from(rule, root)),
-      cutoff_(std::numeric_limits<double>::infinity()) {
-  if (is_far_) by_gears_.emplace(task, gears_alone(rule));
-  next_guide();
-}
 
 void Ladder::next_guide() {
   lattice_.reset();

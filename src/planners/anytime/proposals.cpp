@@ -14,7 +14,10 @@ namespace {
 class Proposals final : public Source {
  public:
   Proposals(const Task& task, const CostRule& rule, std::unique_ptr<PathSource> paths,
-            std::uint64_t seed);
+            std::uint64_t seed)
+      : task_(task), connector_(task, rule), paths_(std::move(paths)), seed_(seed) {
+    if (!paths_) throw InputError("sources", "expected a source of paths, nothing was made");
+  }
 
   [[nodiscard]] bool step() override;
   [[nodiscard]] Route route() const override { return found_; }
@@ -30,12 +33,6 @@ class Proposals final : public Source {
   std::uint64_t proposed_ = 0;  // paths proposed so far; numbers their seeds
   Route found_;
 };
-
-Proposals::Proposals(const Task& task, const CostRule& rule, std::unique_ptr<PathSource> paths,
-                     std::uint64_t seed)
-    : task_(task), connector_(task, rule), paths_(std::move(paths)), seed_(seed) {
-  if (!paths_) throw InputError("sources", "expected a source of paths, nothing was made");
-}
 
 bool Proposals::step() {
   std::optional<LocalPath> proposed = paths_->propose();

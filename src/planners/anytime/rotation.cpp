@@ -16,7 +16,12 @@ class Rotation final : public Source {
  public:
   Rotation(const LocalPose& root, const LocalPose& target, const DrivenBeside& beside,
            std::span<const LatticeOptions> searches, std::int64_t turn, const Guide& guide,
-           Connector& connector);
+           Connector& connector)
+      : turn_(turn), left_(std::max(first_turn, turn)) {
+    for (const LatticeOptions& options : searches) {
+      lattices_.emplace_back(std::in_place, root, target, beside, options, guide, connector);
+    }
+  }
 
   [[nodiscard]] bool step() override;
   [[nodiscard]] Route route() const override { return lattices_[current_]->route(); }
@@ -35,15 +40,6 @@ class Rotation final : public Source {
   double cutoff_ = std::numeric_limits<double>::infinity();
   bool finished_ = false;
 };
-
-Rotation::Rotation(const LocalPose& root, const LocalPose& target, const DrivenBeside& beside,
-                   std::span<const LatticeOptions> searches, std::int64_t turn, const Guide& guide,
-                   Connector& connector)
-    : turn_(turn), left_(std::max(first_turn, turn)) {
-  for (const LatticeOptions& options : searches) {
-    lattices_.emplace_back(std::in_place, root, target, beside, options, guide, connector);
-  }
-}
 
 // Finds the next search that has not ended; false if there is none.
 bool Rotation::begin_turn() {

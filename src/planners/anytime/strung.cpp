@@ -49,7 +49,13 @@ class Beeline final : public Guide {
 
 class Strung final : public Source {
  public:
-  Strung(const Task& task, std::vector<Point> way, Connector& connector);
+  Strung(const Task& task, std::vector<Point> way, Connector& connector)
+      : task_(task),
+        connector_(connector),
+        gear_(connector.rule().allows(1) ? 1 : -1),
+        way_(std::move(way)),
+        least_places_(places_in(least_apart * task.vehicle.min_turning_radius, way_)),
+        route_{task.start, {}, 0.0} {}
 
   [[nodiscard]] bool step() override;
   [[nodiscard]] Route route() const override { return route_; }
@@ -83,14 +89,6 @@ class Strung final : public Source {
   bool has_ended_ = false;
   Route route_;  // route from the start as far as it is found
 };
-
-Strung::Strung(const Task& task, std::vector<Point> way, Connector& connector)
-    : task_(task),
-      connector_(connector),
-      gear_(connector.rule().allows(1) ? 1 : -1),
-      way_(std::move(way)),
-      least_places_(places_in(least_apart * task.vehicle.min_turning_radius, way_)),
-      route_{task.start, {}, 0.0} {}
 
 double Strung::heading_along(double direction) const {
   return gear_ > 0 ? direction : wrap_angle(direction + std::numbers::pi);

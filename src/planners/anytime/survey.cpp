@@ -51,7 +51,11 @@ Driven driven_of(const Connector& connector, const DriveField::Node& node) {
 
 class Survey final : public Source {
  public:
-  Survey(const Task& task, const CostRule& rule);
+  Survey(const Task& task, const CostRule& rule)
+      : task_(task),
+        forth_(task, rule),
+        back_(task, reversed(rule, -rule.final_gear)),
+        box_(box_around(task)) {}
 
   [[nodiscard]] bool step() override;
   [[nodiscard]] Route route() const override { return route_; }
@@ -104,12 +108,6 @@ class Survey final : public Source {
   Kinds kinds_;
   Route route_;
 };
-
-Survey::Survey(const Task& task, const CostRule& rule)
-    : task_(task),
-      forth_(task, rule),
-      back_(task, reversed(rule, -rule.final_gear)),
-      box_(box_around(task)) {}
 
 // Prepares the guide and the raster. True when both are complete.
 bool Survey::prepare() {
