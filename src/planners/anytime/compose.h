@@ -3,7 +3,9 @@
 #pragma once
 // Which workers does a task need?
 //
-// This is the only place that asks what kind of task, cost and budget there is.
+// This is the only place that decides by the kind of task, cost and budget who takes part and how
+// much. Workers see prices, steering and whether the task goes over a whole site. The run sees its
+// limits.
 
 #include <span>
 

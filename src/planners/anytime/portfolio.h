@@ -28,17 +28,18 @@ struct Progress {
   std::int64_t rounds_with_path = 0;  ///< rounds that began with a path
   std::int64_t iterations = 0;        ///< iterations so far
   bool has_path = false;              ///< whether there is a route or a drive
-  bool is_settled = false;            ///< whether the best cost hardly falls any more
+  /// Whether the best cost has hardly fallen lately, so that proving deserves more of the work.
+  bool is_settled = false;
 };
 
 /// Gives the iterations of a worker in the next round, or the steps of its proof.
 using Share = std::function<std::int64_t(const Progress&)>;
 
-/// When in a round a worker works.
+/// When in a round a worker works. Only together are routes handed on that were given up.
 enum class Phase {
-  before,    ///< the worker works alone, first, until the best cost is good enough
+  before,    ///< the worker works alone, first, again and again until the best cost is good enough
   together,  ///< the worker works beside others
-  after,     ///< the worker works alone, last, and hears the results of others
+  after,     ///< the worker works alone, last, once there is a route; its proofs are not asked for
 };
 
 /// A worker and its share of the work.
@@ -54,7 +55,7 @@ struct Slot {
   std::vector<std::size_t> feeds = {};  ///< slots that hear of the routes given up here
 };
 
-/// All that a run needs. The outcome of the run depends on nothing else.
+/// All that a run needs beside its budget.
 struct Portfolio {
   std::unique_ptr<const planning::Pricing> pricing;
   /// Task with wheels that turn at once; null if no worker uses it.

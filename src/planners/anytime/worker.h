@@ -22,14 +22,16 @@ using planning::Proven;
 
 /// What a worker found in one round.
 struct Found {
-  /// Iterations done in the round.
+  /// Iterations done in the round, at most those that were granted.
   std::int64_t iterations = 0;
   /// Improvements of the best cost that the worker knows. Iterations count from the begin of the
   /// round.
   std::vector<CostSample> improvements = {};
-  std::optional<search::Route> route = {};  ///< route of the last improvement
-  /// Drive of the last improvement. Without a trailer no other worker makes it cheaper: they may
-  /// make more of a route in `given_up`.
+  /// Route of the last improvement: free, from the start to the goal, cheaper than the one told. Of
+  /// the routes of a round the cheapest stays, and the others are dropped.
+  std::optional<search::Route> route = {};
+  /// Drive of the last improvement; the same drive may be found again. Without a trailer no other
+  /// worker makes it cheaper: they may make more of a route in `given_up`.
   std::optional<Drive> drive = {};
   std::vector<search::Route> given_up = {};  ///< routes that other workers may make more of
 };
@@ -64,15 +66,17 @@ class Worker {
  public:
   virtual ~Worker() = default;
 
-  /// Whether another iteration may find anything.
+  /// Whether another iteration may find anything, by what the worker heard in former rounds. A run
+  /// ends once no worker has any work.
   [[nodiscard]] virtual bool has_work() const { return false; }
   /// Works for at most `iterations`; fewer if the budget is interrupted or nothing is left to do.
-  /// It is called in every round, with 0 iterations too, so that the worker hears what it is told.
+  /// Together with others it is called in every round, with 0 iterations too, so that the worker
+  /// hears what it is told.
   [[nodiscard]] virtual Found work(std::int64_t /*iterations*/, const Told& /*told*/,
                                    const search::Budget& /*budget*/) {
     return {};
   }
-  /// Tells the worker of a route that another worker gave up.
+  /// Tells the worker of a route that was given up.
   virtual void offer(const search::Route& /*route*/) {}
   /// Stage of the source that the worker takes routes from; 0 without one.
   [[nodiscard]] virtual std::int64_t stage() const { return 0; }
