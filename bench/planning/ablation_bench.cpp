@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "base/text.h"
-#include "planners/anytime/compose.h"
+#include "planners/default_search.h"
 #include "support/figure.h"
 #include "support/plans.h"
 #include "support/random_world.h"
@@ -40,7 +40,7 @@ using Group = std::vector<std::string>;
 
 PlannerAnswer plan_without(const Group& off, const Task& task, const PlanOptions& options) {
   const search::Budget budget(options.budget);
-  anytime::Portfolio portfolio = anytime::compose(task, options, 0.0, {});
+  anytime::Portfolio portfolio = planning::portfolio_for(task, options, 0.0, {});
   for (anytime::Slot& slot : portfolio.slots) {
     if (std::ranges::find(off, slot.name) == off.end()) continue;
     slot.share = [](const anytime::Progress&) { return std::int64_t{0}; };
@@ -65,7 +65,7 @@ Group workers_of(const Problem& problem, const PlanOptions& options) {
   Group names;
   Planner planner = default_planner();
   planner.function = [&](const Task& task, const PlanOptions& complete) {
-    for (const anytime::Slot& slot : anytime::compose(task, complete, 0.0, {}).slots) {
+    for (const anytime::Slot& slot : planning::portfolio_for(task, complete, 0.0, {}).slots) {
       names.emplace_back(slot.name);
     }
     return PlannerAnswer{};

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "moving/yielding.h"
-#include "planners/anytime/anytime.h"
 #include "planners/blocked_ends.h"
+#include "planners/default_search.h"
 #include "planners/drive_source.h"
 #include "planners/drive_time.h"
 #include "planners/ghosts.h"
@@ -92,8 +92,8 @@ class InTimeRun {
     }
     const auto search_to = [site = options_.site.get(), sources = given.sources](
                                const Task& to, const PlanOptions& round, const Path* known) {
-      return anytime::drive_search(to, round, time_price,
-                                   {.known = known, .site = site, .sources = sources});
+      return planning::default_search(to, round, time_price,
+                                      {.known = known, .site = site, .sources = sources});
     };
     return planning::search_with_line(task, options, time_price, given.known, {}, search_to);
   }

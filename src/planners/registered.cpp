@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "path/finite.h"
-#include "planners/anytime/anytime.h"
 #include "planners/anytime/finish.h"
+#include "planners/default_search.h"
 #include "planners/in_time.h"
 #include "planners/plan_to_set.h"
 #include "search/route.h"
@@ -45,7 +45,12 @@ PlannerAnswer plan_by_default(const Task& task, const PlanOptions& options,
                               const anytime::Given& given) {
   if (given.site != nullptr) sites::expect_serves(*given.site, task, options);
   if (!task.moving.empty()) return in_time::plan(task, options, given.sources);
-  if (task.goal_set.empty()) return anytime::plan_anytime(task, options, given);
+  if (task.goal_set.empty()) {
+    const auto search = default_search(task, options, 0.0, given);
+    while (search->advance()) {
+    }
+    return search->answer();
+  }
   const auto search_to = [&given, &task](const Task& to, const PlanOptions& round,
                                          const Path* nearby) {
     const Path* known = nearby != nullptr ? nearby : given.known;
@@ -55,8 +60,8 @@ PlannerAnswer plan_by_default(const Task& task, const PlanOptions& options,
       part = part_between(*known, to.start, to.goal);
       known = part.segments.empty() ? nullptr : &part;
     }
-    return anytime::drive_search(to, round, 0.0,
-                                 {.known = known, .site = given.site, .sources = given.sources});
+    return default_search(to, round, 0.0,
+                          {.known = known, .site = given.site, .sources = given.sources});
   };
   return plan_to_set(task, options, 0.0, search_to);
 }

@@ -12,7 +12,7 @@
 #include "planners/commands/closer.h"
 #include "planners/last_stretch.h"
 #include "planners/leg_bounds.h"
-#include "planners/rig/towed.h"
+#include "planners/towed.h"
 #include "planners/zone_exits.h"
 #include "problem/goal_set.h"
 
@@ -57,7 +57,7 @@ SetGoals::SetGoals(const Task& task, const PlanOptions& options, double time_pri
 // Lower bound of the cost of paths past the vias to the one goal of `to`.
 double SetGoals::bound_to(const Task& to) const {
   const Pricing pricing(to, options_.cost, time_price_);
-  const double straight_there = to.vehicle.trailer ? rig::cost_lower_bound(to, pricing)
+  const double straight_there = to.vehicle.trailer ? cost_lower_bound(to, pricing)
                                                    : anytime::CostBound(to, pricing).least({});
   return to.via.empty() ? straight_there
                         : std::max(straight_there, LegBounds(to, pricing, 0).least());

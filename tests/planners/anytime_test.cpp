@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "planners/anytime/anytime.h"
-
 #include <gtest/gtest.h>
 
 #include <numbers>

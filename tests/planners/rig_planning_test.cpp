@@ -17,7 +17,7 @@
 #include "lab/grown_tree.h"
 #include "planners/commands/closer.h"
 #include "planners/pricing.h"
-#include "planners/rig/towed.h"
+#include "planners/towed.h"
 #include "support/cases.h"
 #include "support/draws.h"
 #include "support/problems.h"
@@ -314,7 +314,7 @@ TEST(RigPlanning, TheBoundIsThatOfTheTrailerWhereItIsTheDearer) {
   scenario.goal = {2, 20, 0};
   const Problem problem = make_problem(scenario);
   const Task& task = problem.task();
-  const double bound = rig::cost_lower_bound(task, {});
+  const double bound = planning::cost_lower_bound(task, {});
   EXPECT_GT(bound, 2 * reeds_shepp_length(scenario.start, scenario.goal, 5.9));
   const PlanResult result = plan(problem, with_iterations(cases(4000)));
   if (is_sanitized) return;
@@ -349,7 +349,7 @@ TEST(RigBoundLaw, NoDriveCostsLess) {
     rule.gear_change_cost = uniform(0, 5, rng);
     search::Driven driven;
     const double cost = search::drive_cost(rule, segments, driven);
-    EXPECT_LE(rig::cost_lower_bound(make_problem(scenario).task(), rule), cost + 1e-9);
+    EXPECT_LE(planning::cost_lower_bound(make_problem(scenario).task(), rule), cost + 1e-9);
   });
 }
 
@@ -367,8 +367,8 @@ TEST(RigBound, KnowsThatATrailerMayGoFartherThanItsTractor) {
   scenario.hitch_angles = {from.hitch_angle, to.hitch_angle};
   const Problem problem = make_problem(scenario);
   const Task& task = problem.task();
-  EXPECT_LE(rig::cost_lower_bound(task, {}), arc.length + 1e-12);
-  EXPECT_GT(rig::cost_lower_bound(task, {}), 0.95 * arc.length);
+  EXPECT_LE(planning::cost_lower_bound(task, {}), arc.length + 1e-12);
+  EXPECT_GT(planning::cost_lower_bound(task, {}), 0.95 * arc.length);
 }
 
 TEST(RigPlanning, WhereTheCostIsTheTimeDrivesAreFaster) {
@@ -435,10 +435,10 @@ TEST(RigBoundLaw, NoDriveTakesLess) {
     time.measure = CostMeasure::time;
     const double duration = speed_profile({{0, 0, 0}, segments}, vehicle).duration;
     const planning::Pricing seconds(problem.task(), time);
-    EXPECT_LE(rig::cost_lower_bound(problem.task(), seconds), duration + 1e-6);
+    EXPECT_LE(planning::cost_lower_bound(problem.task(), seconds), duration + 1e-6);
     EXPECT_EQ(seconds.cost(segments, 0), duration);
     const planning::Pricing both(problem.task(), shortest_style, 2.0);
-    EXPECT_LE(rig::cost_lower_bound(problem.task(), both), both.cost(segments, 0) + 1e-6);
+    EXPECT_LE(planning::cost_lower_bound(problem.task(), both), both.cost(segments, 0) + 1e-6);
     EXPECT_NEAR(both.cost(segments, 0), length(segments) + 2 * duration, 1e-9);
   });
 }

@@ -16,7 +16,6 @@
 #include "planners/anytime/shares.h"
 #include "planners/anytime/sources.h"
 #include "planners/anytime/workers.h"
-#include "planners/rig/compose_rig.h"
 #include "search/grid_distance.h"
 #include "sites/way.h"
 
@@ -341,29 +340,10 @@ Portfolio Composer::portfolio() && {
   return std::move(portfolio_);
 }
 
-/// The portfolio of a rig: its workers find drives, not routes.
-Portfolio portfolio_of_rig(const Task& task, const PlanOptions& options, double time_price,
-                           const Given& given) {
-  auto pricing =
-      std::make_unique<planning::Pricing>(planning::pricing_of(task, options, time_price));
-  const CostBound bound(task, *pricing);
-  const Finisher finisher(task, *pricing,
-                          {.stroke = options.planner.number("min_stroke"), .is_finished = true});
-  Portfolio portfolio{.pricing = std::move(pricing),
-                      .relaxed = nullptr,
-                      .bound = bound,
-                      .finisher = finisher,
-                      .slots = {},
-                      .gap = options.budget.target_gap};
-  rig::add_workers(portfolio, task, options, given);
-  return portfolio;
-}
-
 }  // namespace
 
 Portfolio compose(const Task& task, const PlanOptions& options, double time_price,
                   const Given& given) {
-  if (task.vehicle.trailer) return portfolio_of_rig(task, options, time_price, given);
   return Composer(task, options, time_price, given).portfolio();
 }
 

@@ -32,7 +32,7 @@ struct Given {
   std::span<const NamedSource> sources = {};  ///< sources of paths beside the planner's own workers
 };
 
-/// The portfolio of a task. Each second costs `time_price` [m] beside the prices
+/// The portfolio of a task without a trailer. Each second costs `time_price` [m] beside the prices
 /// of the path; `time_price` is ignored if the cost is the time. The task and the sources outlive
 /// the portfolio.
 [[nodiscard]] Portfolio compose(const Task& task, const PlanOptions& options, double time_price,

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "planners/rig/towed.h"
+#include "planners/towed.h"
 #include "steering/words.h"
 
 namespace vandplan::anytime {
@@ -20,8 +20,8 @@ CostBound::CostBound(const Task& task, const planning::Pricing& pricing)
       ground_(open_ground(task, pricing.rule())),
       is_rig_(task.vehicle.trailer.has_value()) {
   if (!is_rig_) return;
-  judged_of_rig_ = rig::cost_lower_bound(task, pricing);
-  exact_of_rig_ = rig::cost_lower_bound(task, pricing, rig::Ends::exact);
+  judged_of_rig_ = planning::cost_lower_bound(task, pricing);
+  exact_of_rig_ = planning::cost_lower_bound(task, pricing, planning::Ends::exact);
 }
 
 double CostBound::least(const Proven& proven) const {

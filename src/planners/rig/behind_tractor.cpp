@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "planners/anytime/anytime.h"
+#include "planners/anytime/compose.h"
 #include "planners/rig/rig_search.h"
 #include "sites/way.h"
 #include "vandplan/random.h"
@@ -269,7 +269,8 @@ void BehindTractor::begin(const Budget& budget) {
   if (options_.budget.time_limit) {
     *options_.budget.time_limit = std::max(*options_.budget.time_limit - budget.elapsed(), 0.0);
   }
-  path_ = anytime::drive_search(*alone_, options_, 0.0);
+  const search::Budget clock(options_.budget);
+  path_ = anytime::begin_run(anytime::compose(*alone_, options_, 0.0, {}), clock, options_.budget);
 }
 
 // Goes on planning the path; follows it when that is over.

@@ -98,8 +98,7 @@ void add_provers(anytime::Portfolio& portfolio, const Setting& setting) {
   portfolio.slots.back().proofs = anytime::share_of_zone_prover();
 }
 
-}  // namespace
-
+// Adds the workers to a portfolio that has the pricing of the run and no slots.
 void add_workers(anytime::Portfolio& portfolio, const Task& task, const PlanOptions& options,
                  const anytime::Given& given) {
   const auto setting =
@@ -153,6 +152,25 @@ void add_workers(anytime::Portfolio& portfolio, const Task& task, const PlanOpti
         });
   }
   add_provers(portfolio, *setting);
+}
+
+}  // namespace
+
+anytime::Portfolio compose(const Task& task, const PlanOptions& options, double time_price,
+                           const anytime::Given& given) {
+  auto pricing =
+      std::make_unique<planning::Pricing>(planning::pricing_of(task, options, time_price));
+  const anytime::CostBound bound(task, *pricing);
+  const anytime::Finisher finisher(
+      task, *pricing, {.stroke = options.planner.number("min_stroke"), .is_finished = true});
+  anytime::Portfolio portfolio{.pricing = std::move(pricing),
+                               .relaxed = nullptr,
+                               .bound = bound,
+                               .finisher = finisher,
+                               .slots = {},
+                               .gap = options.budget.target_gap};
+  add_workers(portfolio, task, options, given);
+  return portfolio;
 }
 
 }  // namespace vandplan::rig

@@ -7,9 +7,9 @@
 
 namespace vandplan::rig {
 
-/// The portfolio of a task with a trailer, as `anytime::compose` makes that of others. Adds to
-/// `portfolio`, which has the pricing of the run and no slots.
-void add_workers(anytime::Portfolio& portfolio, const Task& task, const PlanOptions& options,
-                 const anytime::Given& given);
+/// The portfolio of a task with a trailer, as `anytime::compose` makes that of others. Its workers
+/// find drives, not routes.
+[[nodiscard]] anytime::Portfolio compose(const Task& task, const PlanOptions& options,
+                                         double time_price, const anytime::Given& given);
 
 }  // namespace vandplan::rig

@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "planners/rig/setting.h"
 
-#include "planners/rig/towed.h"
+#include "planners/towed.h"
 
 namespace vandplan::rig {
 namespace {
@@ -40,7 +40,7 @@ Setting::Setting(const Task& of, const PlanOptions& with, const planning::Pricin
       pricing(prices),
       wheels(prices.counts_time() ? with_softer_wheels(of) : std::deque<Task>{of}),
       bare(without_margin(of, with.clearance.margin)),
-      towed(towed_task(of)),
+      towed(planning::towed_task(of)),
       site(table),
       guides(of),
       unit(search_unit(of.vehicle)) {}

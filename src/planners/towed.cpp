@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "planners/rig/towed.h"
+#include "planners/towed.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "vandplan/vehicle.h"
 #include "vehicle/hitch_motion.h"
 
-namespace vandplan::rig {
+namespace vandplan::planning {
 namespace {
 
 using search::Connector, search::CostRule;
@@ -60,7 +60,7 @@ double cost_lower_bound(const Task& task, const CostRule& rule, Ends ends) {
   return std::max(of_tractor, of_trailer / trailer.most_way);
 }
 
-double cost_lower_bound(const Task& task, const planning::Pricing& pricing, Ends ends) {
+double cost_lower_bound(const Task& task, const Pricing& pricing, Ends ends) {
   const double length = pricing.counts_time()
                             ? cost_lower_bound(task, search::length_rule(pricing.rule()), ends)
                             : 0.0;
@@ -68,4 +68,4 @@ double cost_lower_bound(const Task& task, const planning::Pricing& pricing, Ends
   return pricing.cost_lower_bound(length, priced);
 }
 
-}  // namespace vandplan::rig
+}  // namespace vandplan::planning

@@ -9,7 +9,7 @@
 #include "vandplan/problem.h"
 #include "vandplan/search.h"
 
-namespace vandplan::rig {
+namespace vandplan::planning {
 
 /// The task of the trailer as if it drove by itself: its body, its poses at both ends, and the
 /// radius below which its axle never turns. `checker` is that of the rig. The task has a vehicle
@@ -28,7 +28,7 @@ enum class Ends {
 
 /// Lower bound of the cost of all drives of the rig, where the time is a part of the cost [m], or
 /// all of it [s].
-[[nodiscard]] double cost_lower_bound(const Task& task, const planning::Pricing& pricing,
+[[nodiscard]] double cost_lower_bound(const Task& task, const Pricing& pricing,
                                       Ends ends = Ends::judged);
 
-}  // namespace vandplan::rig
+}  // namespace vandplan::planning
