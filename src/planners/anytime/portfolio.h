@@ -35,7 +35,7 @@ struct Progress {
 /// Gives the iterations of a worker in the next round, or the steps of its proof.
 using Share = std::function<std::int64_t(const Progress&)>;
 
-/// When in a round a worker works. Only together are routes handed on that were given up.
+/// When in a round a worker works. Routes that were given up are handed on in `together` alone.
 enum class Phase {
   before,    ///< the worker works alone, first, again and again until the best cost is good enough
   together,  ///< the worker works beside others
