@@ -38,11 +38,14 @@ std::string shared_value(const Report& report, const std::string& name) {
   return "none";
 }
 
-TEST(Report, RepeatsARunThatWasCutByTheClock) {
+// Runs planners for `seconds` each, plans again by the command of each run, and returns how many of
+// the runs have a path.
+int paths_repeated(double seconds) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "runs.sqlite");
   Campaign campaign = reported_campaign();
-  campaign.settings = {{"time_limit", "0.003"}, {"goal_bias", "0.2"}, {"max_nodes", "100000"}};
+  campaign.settings = {
+      {"time_limit", std::to_string(seconds)}, {"goal_bias", "0.2"}, {"max_nodes", "100000"}};
   run_campaign(campaign, store, {});
   const Report report = make_report(store);
   int solved = 0;
@@ -66,11 +69,19 @@ TEST(Report, RepeatsARunThatWasCutByTheClock) {
     const Problem problem = make_problem(scenario_at(report.scenarios[run.scenario], run.goal));
     const PlanResult again = plan(problem, planner_named(planner), options);
     EXPECT_EQ(counter(again, "nodes"), counter(run.result, "nodes"));
-    ASSERT_EQ(again.path.has_value(), run.result.path.has_value());
-    if (!again.path) continue;
+    EXPECT_EQ(again.path.has_value(), run.result.path.has_value());
+    if (!again.path || !run.result.path) continue;
     ++solved;
     EXPECT_EQ(again.path->segments, run.result.path->segments);
   }
+  return solved;
+}
+
+TEST(Report, RepeatsARunThatWasCutByTheClock) {
+  // On a slow machine the first limits may leave no run with a path.
+  int solved = 0;
+  for (double seconds = 0.003; solved <= 10 && seconds < 10.0; seconds *= 4.0)
+    solved = paths_repeated(seconds);
   EXPECT_GT(solved, 10);
 }
 
