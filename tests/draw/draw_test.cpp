@@ -40,7 +40,7 @@ Scenario yard() {
   return scenario;
 }
 
-Path yard_path() { return {{0, 0, 0}, {{0, 20}, {-1 / radius, -radius * pi / 2}}}; }
+Path yard_path() { return {{0, 0, 0}, {{0, 20}, {-1 / default_radius, -default_radius * pi / 2}}}; }
 
 Scenario moved(Scenario scenario, double x, double y) {
   scenario.bounds = {scenario.bounds.x_min + x, scenario.bounds.x_max + x,
@@ -180,7 +180,7 @@ TEST(Draw, EverythingHasItsColourAtItsPlace) {
   EXPECT_TRUE(looks(page.at({-0.75, 1.275}), drawing::colour::start)) << "the outline";
   EXPECT_TRUE(looks(page.at({13 + 1.275, -7.75}), drawing::colour::goal)) << "the outline";
   EXPECT_TRUE(looks(page.at({9, 0}), drawing::colour::forward));
-  const Pose backing = pose_at(path, 20 + radius * pi / 4);
+  const Pose backing = pose_at(path, 20 + default_radius * pi / 4);
   EXPECT_TRUE(looks(page.at({backing.x, backing.y}), drawing::colour::reverse));
   EXPECT_TRUE(looks(page.at({20, 0}), drawing::colour::paper)) << "inside the gear change's ring";
   const auto swept = page.at({11, 0.7});
@@ -211,12 +211,12 @@ TEST(Draw, TheStripShowsHowFarTheWheelsAreTurned) {
   ASSERT_TRUE(layout.strip);
   const drawing::Box& strip = *layout.strip;
   const Image image(draw(drawing, PictureFormat::png, page_width));
-  const double driven = 20 + radius * pi / 2;
+  const double driven = 20 + default_radius * pi / 2;
   const double middle = strip.y + strip.height / 2;
   const auto at = [&](double s, double y) {
     return image.at({strip.x + s / driven * strip.width, y});
   };
-  const double turned = 0.4 * strip.height;  // of 1 / radius, on the page
+  const double turned = 0.4 * strip.height;  // of 1 / default_radius, on the page
   EXPECT_TRUE(looks(at(10, middle), drawing::colour::forward));
   EXPECT_TRUE(looks(at(25, middle + turned), drawing::colour::reverse));
   EXPECT_TRUE(looks(at(10, middle + turned / 2), drawing::colour::paper));
@@ -238,7 +238,7 @@ TEST(Draw, TheStripShowsHowFarTheWheelsAreTurned) {
 
 TEST(Draw, TheStripFollowsAClothoid) {
   Scenario scenario = yard();
-  const double lock = 1 / radius;
+  const double lock = 1 / default_radius;
   const Path path{{0, 0, 0}, {{0, 10, lock / 10}, {lock, 10, -lock / 10}}};
   scenario.goal = end_pose(path);
   const Drawing drawing{.scenario = &scenario, .path = &path, .curvature_strip = true};
@@ -485,7 +485,7 @@ TEST(Draw, TheSameDrawingGivesTheSameBytes) {
 
 TEST(Draw, APathOfAbsurdLengthIsDrawnAllTheSame) {
   const Scenario scenario = yard();
-  const Path path{{0, 0, 0}, {{0, 1e9}, {1 / radius, 1e9}}};
+  const Path path{{0, 0, 0}, {{0, 1e9}, {1 / default_radius, 1e9}}};
   EXPECT_FALSE(draw({.scenario = &scenario, .path = &path}, PictureFormat::png, 300).empty());
   const Drawing with_strip{.scenario = &scenario, .path = &path, .curvature_strip = true};
   EXPECT_FALSE(draw(with_strip, PictureFormat::png, 300).empty());

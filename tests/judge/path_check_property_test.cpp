@@ -22,7 +22,7 @@ Path random_path(double length, Rng& rng) {
   Path path{uniform_pose({-5, 5, -5, 5}, rng), {}};
   const int count = 1 + static_cast<int>(uniform(0, 5, rng));
   for (int i = 0; i < count; ++i) {
-    const double curvature = std::round(uniform(-1.5, 1.5, rng)) / radius;
+    const double curvature = std::round(uniform(-1.5, 1.5, rng)) / default_radius;
     const double size = uniform(0.2, 2, rng) * length / count;
     path.segments.push_back({curvature, uniform01(rng) < 0.3 ? -size : size});
   }
@@ -155,7 +155,7 @@ const Spoil spoils[] = {
     [](Case& c, Rng& rng) { some_segment(c.path, rng).curvature -= error(1e-4, rng); },
     // Too tight, and the goal where it leads to.
     [](Case& c, Rng& rng) {
-      some_segment(c.path, rng).curvature = (1 + std::abs(error(1e-8, rng))) / radius;
+      some_segment(c.path, rng).curvature = (1 + std::abs(error(1e-8, rng))) / default_radius;
       aim(c, end_pose(c.path));
     },
     [](Case& c, Rng& rng) {

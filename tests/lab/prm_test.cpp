@@ -38,7 +38,7 @@ LocalPose free_pose(const CollisionChecker& checker, Rng& rng) {
 
 search::Milestones grown(const std::shared_ptr<const World>& world, std::size_t nodes,
                          std::uint64_t seed) {
-  search::Milestones milestones(world->checker({}), radius, {yard, 6, seed});
+  search::Milestones milestones(world->checker({}), default_radius, {yard, 6, seed});
   while (milestones.size() < nodes) milestones.sample();
   return milestones;
 }
@@ -48,7 +48,7 @@ TEST(Milestones, AreJoinedToTheNearestOlderOnes) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     std::vector<std::pair<double, std::int32_t>> older;
     for (std::size_t j = 0; j < i; ++j) {
-      older.emplace_back(reeds_shepp_length(all.poses()[j], all.poses()[i], radius),
+      older.emplace_back(reeds_shepp_length(all.poses()[j], all.poses()[i], default_radius),
                          static_cast<std::int32_t>(j));
     }
     std::sort(older.begin(), older.end());
@@ -81,7 +81,7 @@ double by_all_edges(const search::Milestones& all, const LocalPose& from, const 
   };
   std::vector<Edge> edges;
   const auto add = [&](std::size_t a, std::size_t b) {
-    const Piece piece = reeds_shepp(poses[a], poses[b], radius);
+    const Piece piece = reeds_shepp(poses[a], poses[b], default_radius);
     if (all.checker()->is_free(poses[a], piece.view())) edges.push_back({a, b, piece.length});
   };
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -127,7 +127,7 @@ TEST(Roadmap, AnswersWithItsShortestWay) {
       EXPECT_NEAR(answer.route->length, expected, 1e-9);
       const Path path{from, answer.route->segments};
       EXPECT_NEAR(length(path), expected, 1e-9);
-      EXPECT_LT(reeds_shepp_length(end_pose(path), to, radius), 1e-5);
+      EXPECT_LT(reeds_shepp_length(end_pose(path), to, default_radius), 1e-5);
       EXPECT_TRUE(milestones.checker()->is_free(from, path.segments));
     }
   });
@@ -144,7 +144,7 @@ TEST(Roadmap, AnEstimateThatJumpsStillFindsTheShortestWay) {
     // Admissible, but it falls by more than an edge is long.
     const auto jumping = [&](const LocalPose& pose) {
       const bool all = static_cast<int>(std::floor(pose.x)) % 2 == 0;
-      return all ? reeds_shepp_length(pose, to, radius) : 0.0;
+      return all ? reeds_shepp_length(pose, to, default_radius) : 0.0;
     };
     const RoadmapAnswer straight = roadmap.route(from, to);
     const RoadmapAnswer answer = roadmap.route(from, to, {.estimate = jumping});

@@ -43,13 +43,13 @@ TEST_P(LeastCostParent, IsTheBestOfAllOlderNodes) {
     double nearest = least;
     std::size_t nearest_node = 0;
     for (std::size_t older = 0; older < node; ++older) {
-      const double edge = reeds_shepp_length(poses[older], poses[node], radius);
+      const double edge = reeds_shepp_length(poses[older], poses[node], default_radius);
       least = std::min(least, costs[older] + edge);
       if (edge < nearest) nearest_node = older;
       nearest = std::min(nearest, edge);
     }
     const auto parent = static_cast<std::size_t>(parents[node]);
-    costs.push_back(costs[parent] + reeds_shepp_length(poses[parent], poses[node], radius));
+    costs.push_back(costs[parent] + reeds_shepp_length(poses[parent], poses[node], default_radius));
     EXPECT_LE(costs[node], least + of_float) << "node " << node;
     not_nearest += parent != nearest_node;
   }
@@ -64,9 +64,9 @@ TEST(NearestParent, IsTheNearestByExactLength) {
   ASSERT_GT(poses.size(), 100U);
   for (std::size_t node = 1; node < poses.size(); ++node) {
     const auto parent = static_cast<std::size_t>(parents[node]);
-    const double taken = reeds_shepp_length(poses[parent], poses[node], radius);
+    const double taken = reeds_shepp_length(poses[parent], poses[node], default_radius);
     for (std::size_t older = 0; older < node; ++older) {
-      EXPECT_LE(taken, reeds_shepp_length(poses[older], poses[node], radius) + of_float);
+      EXPECT_LE(taken, reeds_shepp_length(poses[older], poses[node], default_radius) + of_float);
     }
   }
 }

@@ -28,7 +28,7 @@ namespace vandplan {
 namespace {
 
 double length_between(const Pose& from, const Pose& to) {
-  return reeds_shepp_length(from, to, radius);
+  return reeds_shepp_length(from, to, default_radius);
 }
 
 Problem open_ground() { return problem_of({0, 0, 0}, {40, 30, 1}, {}, {-1e3, 1e3, -1e3, 1e3}); }
@@ -272,7 +272,7 @@ TEST(RrtStar, StepsAreNoLongerThanTheRange) {
   ASSERT_GT(poses.size(), 50U);
   for (const Pose& pose : poses) {
     const std::size_t neighbour = nearest(poses, pose, 2)[1];
-    EXPECT_LE(length_between(poses[neighbour], pose), 1 * radius + 1e-9);
+    EXPECT_LE(length_between(poses[neighbour], pose), 1 * default_radius + 1e-9);
   }
 }
 
@@ -298,7 +298,7 @@ TEST(RrtConnect, GrowsOneTreeFromTheStartAndOneFromTheGoal) {
     if (i < 2) continue;
     const auto parent = static_cast<std::size_t>(parents[i]);
     ASSERT_LT(parent, i);
-    EXPECT_LE(length_between(poses[parent], poses[i]), 10 * radius + 1e-9);
+    EXPECT_LE(length_between(poses[parent], poses[i]), 10 * default_radius + 1e-9);
     is_inside.push_back(is_inside[parent]);
     const bool in_room = poses[i].x > 42 && poses[i].x < 78 && std::abs(poses[i].y) < 18;
     EXPECT_EQ(is_inside[i], in_room);

@@ -31,8 +31,8 @@ struct Twins {
 
   template <typename... Symmetric>
   explicit Twins(Symmetric... symmetric)
-      : ours(std::make_shared<Ours>(radius, symmetric...)),
-        theirs(std::make_shared<Theirs>(radius, symmetric...)) {}
+      : ours(std::make_shared<Ours>(default_radius, symmetric...)),
+        theirs(std::make_shared<Theirs>(default_radius, symmetric...)) {}
 
   void set(const DrawnPair& pair) {
     ompl::set_pose(from.get(), pair.from);
@@ -85,22 +85,22 @@ void expect_same_poses(AnyTwins& twins, std::uint64_t seed, Unique unique) {
 TEST(OmplSpaces, ReedsSheppStatesAreThoseOfOmpl) {
   ReedsSheppTwins twins;
   expect_same_poses(twins, 1, [](const DrawnPair& pair) {
-    return is_unique(reeds_shepp_words(pair.from, pair.to, radius));
+    return is_unique(reeds_shepp_words(pair.from, pair.to, default_radius));
   });
 }
 
 TEST(OmplSpaces, DubinsStatesAreThoseOfOmpl) {
   DubinsTwins twins;
   expect_same_poses(twins, 2, [](const DrawnPair& pair) {
-    return is_unique(dubins_words(pair.from, pair.to, radius));
+    return is_unique(dubins_words(pair.from, pair.to, default_radius));
   });
 }
 
 TEST(OmplSpaces, SymmetricDubinsStatesAreThoseOfOmpl) {
   DubinsTwins twins(true);
   expect_same_poses(twins, 3, [](const DrawnPair& pair) {
-    std::vector<Piece> words = dubins_words(pair.from, pair.to, radius);
-    const std::vector<Piece> back = dubins_words(pair.to, pair.from, radius);
+    std::vector<Piece> words = dubins_words(pair.from, pair.to, default_radius);
+    const std::vector<Piece> back = dubins_words(pair.to, pair.from, default_radius);
     words.insert(words.end(), back.begin(), back.end());
     return is_unique(words);
   });
@@ -112,7 +112,7 @@ TEST(OmplSpaces, SymmetricDubinsStatesAreThoseOfOmpl) {
 template <typename Path, typename AnyTwins>
 void expect_same_with_kept_path(AnyTwins& twins) {
   for_each_pair(
-      4, 1000, [](Rng& rng) { return any_pair(radius, rng); },
+      4, 1000, [](Rng& rng) { return any_pair(default_radius, rng); },
       [&](const DrawnPair& pair, Rng& rng) {
         twins.set(pair);
         bool first_time = true;
@@ -168,9 +168,9 @@ void expect_sane(const std::shared_ptr<Space>& space) {
 
 TEST(OmplSpaces, TheyPassOmplsOwnChecks) {
   ::ompl::RNG::setSeed(1);
-  expect_sane(std::make_shared<ompl::ReedsSheppStateSpace>(radius));
-  expect_sane(std::make_shared<ompl::DubinsStateSpace>(radius));
-  expect_sane(std::make_shared<ompl::DubinsStateSpace>(radius, true));
+  expect_sane(std::make_shared<ompl::ReedsSheppStateSpace>(default_radius));
+  expect_sane(std::make_shared<ompl::DubinsStateSpace>(default_radius));
+  expect_sane(std::make_shared<ompl::DubinsStateSpace>(default_radius, true));
 }
 
 // OMPL looks for its own classes, and then checks edges along the curves: ours are such.
@@ -179,7 +179,7 @@ void expect_curves_are_checked(const ob::StateSpacePtr& space) {
   const auto si = std::make_shared<ob::SpaceInformation>(space);
   si->setStateValidityChecker([](const ob::State* state) {
     const Pose pose = ompl::pose_of(state);
-    return std::hypot(pose.x, pose.y - 2 * radius) > 1;
+    return std::hypot(pose.x, pose.y - 2 * default_radius) > 1;
   });
   space->as<ob::SE2StateSpace>()->setBounds(ob::RealVectorBounds(2));
   ob::RealVectorBounds bounds(2);
@@ -190,7 +190,8 @@ void expect_curves_are_checked(const ob::StateSpacePtr& space) {
   EXPECT_NE(dynamic_cast<const Validator*>(si->getMotionValidator().get()), nullptr);
   ob::ScopedState<> from(space), to(space);
   ompl::set_pose(from.get(), {0, 0, 0});
-  ompl::set_pose(to.get(), {-radius, radius, -1.5707963267948966});  // three quarters to the left
+  ompl::set_pose(to.get(), {-default_radius, default_radius,
+                            -1.5707963267948966});  // three quarters to the left
   EXPECT_TRUE(si->isValid(from.get()) && si->isValid(to.get()));
   const bool is_dubins = std::is_same_v<Validator, ob::DubinsMotionValidator>;
   EXPECT_EQ(si->checkMotion(from.get(), to.get()), !is_dubins);
@@ -198,14 +199,14 @@ void expect_curves_are_checked(const ob::StateSpacePtr& space) {
 
 TEST(OmplSpaces, OmplChecksEdgesAlongTheCurves) {
   expect_curves_are_checked<ob::ReedsSheppMotionValidator>(
-      std::make_shared<ompl::ReedsSheppStateSpace>(radius));
+      std::make_shared<ompl::ReedsSheppStateSpace>(default_radius));
   expect_curves_are_checked<ob::DubinsMotionValidator>(
-      std::make_shared<ompl::DubinsStateSpace>(radius));
+      std::make_shared<ompl::DubinsStateSpace>(default_radius));
 }
 
 TEST(OmplSpaces, TheSpaceBehindAQuestionIsFound) {
-  ompl::ReedsSheppStateSpace ours(radius), other(radius);
-  ob::ReedsSheppStateSpace theirs(radius);
+  ompl::ReedsSheppStateSpace ours(default_radius), other(default_radius);
+  ob::ReedsSheppStateSpace theirs(default_radius);
   const ob::State* const state = ours.allocState();
   EXPECT_EQ(ompl::space_behind([&] { (void)ours.distance(state, state); }), &ours);
   EXPECT_EQ(ompl::space_behind([&] { (void)other.distance(state, state); }), &other);
@@ -217,7 +218,7 @@ TEST(OmplSpaces, TheSpaceBehindAQuestionIsFound) {
 // A program of OMPL's with another line of namespaces.
 TEST(OmplSpaces, TheirNamesMayBeThoseOfOmpl) {
   namespace mine = ompl::base;
-  const mine::StateSpacePtr space = std::make_shared<mine::ReedsSheppStateSpace>(radius);
+  const mine::StateSpacePtr space = std::make_shared<mine::ReedsSheppStateSpace>(default_radius);
   EXPECT_NE(dynamic_cast<const ompl::ReedsSheppStateSpace*>(space.get()), nullptr);
   static_assert(std::is_same_v<mine::DubinsStateSpace, ompl::DubinsStateSpace>);
   static_assert(std::is_same_v<mine::SE2StateSpace, ob::SE2StateSpace>);

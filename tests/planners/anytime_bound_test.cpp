@@ -138,9 +138,9 @@ Piece random_drive(Rng& rng) {
   const auto count = 1 + rng() % 3;
   const double gear = rng() % 2 == 0 ? 1 : -1;
   for (std::uint64_t i = 0; i < count; ++i) {
-    const double curvature = (static_cast<double>(rng() % 3) - 1) / radius;
-    double size = uniform(0, 5 * radius, rng);
-    if (rng() % 4 == 0) size = radius * 1.5707963267948966;
+    const double curvature = (static_cast<double>(rng() % 3) - 1) / default_radius;
+    double size = uniform(0, 5 * default_radius, rng);
+    if (rng() % 4 == 0) size = default_radius * 1.5707963267948966;
     if (rng() % 4 == 0) size = std::exp2(uniform(-30, 0, rng));
     const double turned = rng() % 8 == 0 ? -gear : gear;
     piece.segments[piece.count++] = {curvature, turned * size};
@@ -176,9 +176,10 @@ TEST(AnytimeBound, IsCloseBelowTheLeastOfForwardReverseAndOneChange) {
       const CostRule& rule = bound_rules[rng() % 4];
       const double bound = bound_of(problem, rule);
       const double leeway = anytime::open_ground(problem.task(), rule).leeway;
-      const double forward = dubins_length(from, to, radius);
-      const double reverse = rule.reverse_weight * dubins_length(to, from, radius);
-      const double one_change = reeds_shepp_length(from, to, radius) + rule.gear_change_cost;
+      const double forward = dubins_length(from, to, default_radius);
+      const double reverse = rule.reverse_weight * dubins_length(to, from, default_radius);
+      const double one_change =
+          reeds_shepp_length(from, to, default_radius) + rule.gear_change_cost;
       EXPECT_NEAR(bound, std::min({forward, reverse, one_change}), 0.02)
           << as_code(from) << " to " << as_code(to);
       EXPECT_LT(leeway, 0.02);
@@ -194,7 +195,7 @@ TEST(AnytimeBound, DoesNotJumpWhereAnArcVanishes) {
       EXPECT_NEAR(bound_of(problem, bound_rules[0]), 10.9956, 1e-3);
     }
   }
-  const Pose lane = end_pose({{}, {{1 / radius, 5}, {-1 / radius, 5}}});
+  const Pose lane = end_pose({{}, {{1 / default_radius, 5}, {-1 / default_radius, 5}}});
   for (const double off : {-1e-7, 0.0, 1e-7}) {
     const Problem problem = problem_of({}, {lane.x + off, lane.y, lane.heading}, {});
     EXPECT_NEAR(bound_of(problem, bound_rules[0]), 10, 0.02);

@@ -57,7 +57,7 @@ double sharpest(std::span<const Segment> segments) {
 
 auto crumbs(std::span<const Segment> segments) {
   return std::ranges::count_if(segments, [](const Segment& segment) {
-    return std::abs(segment.length) < commands::crumb_length(radius);
+    return std::abs(segment.length) < commands::crumb_length(default_radius);
   });
 }
 
@@ -66,7 +66,7 @@ double price_of(std::span<const Segment> segments) { return drive_cost(priced, s
 std::vector<Command> random_commands(int count, Rng& rng) {
   std::vector<Command> commands;
   for (int i = 0; i < count; ++i) {
-    commands.push_back({uniform(-1, 1, rng) / radius, any_sign(uniform(0.2, 8, rng), rng)});
+    commands.push_back({uniform(-1, 1, rng) / default_radius, any_sign(uniform(0.2, 8, rng), rng)});
   }
   return commands;
 }
@@ -107,7 +107,7 @@ TEST(CloserLaw, ADriveWithoutATrailerIsBentUntilItEndsThere) {
       ++closed;
       const Path path{first.start, wheels.driven(commands, begin_of(steering).before)};
       expect_same_pose(end_of(path), to, 1e-9);
-      EXPECT_LE(sharpest(path.segments), 1 / radius);
+      EXPECT_LE(sharpest(path.segments), 1 / default_radius);
     });
     if (!is_sanitized) {
       EXPECT_GE(closed, 0.9 * tried) << name_of(steering);
@@ -241,7 +241,7 @@ TEST(DriveShortenerLaw, LetsNoErrorsAddUp) {
   for_each_case(4, 3, [&](Rng& rng) {
     const commands::Wheels wheels(Vehicle{}, Steering::continuous_between_stops);
     std::vector<Command> commands;
-    for (int i = 0; i < 60; ++i) commands.push_back({uniform(-0.2, 0.2, rng) / radius, 15});
+    for (int i = 0; i < 60; ++i) commands.push_back({uniform(-0.2, 0.2, rng) / default_radius, 15});
     const Path path{{1, 2, 0}, wheels.driven(commands, {})};
     const Problem problem =
         problem_of(path.start, end_of(path), {}, Bounds{-1000, 1000, -1000, 1000});
@@ -333,7 +333,7 @@ TEST(Bender, TurnsTheWheelsLessWhereThatIsCheaper) {
     const commands::Wheels wheels(task.vehicle, steering);
     const Path path{task.start,
                     wheels.driven(bender.best().commands, search::driven_at_ends(task).before)};
-    EXPECT_LT(sharpest(path.segments), 0.5 / radius);
+    EXPECT_LT(sharpest(path.segments), 0.5 / default_radius);
     expect_same_pose(end_of(path), task.goal, 1e-9);
     expect_drivable(path, problem, steering);
   }
@@ -419,7 +419,7 @@ TEST(Bender, FollowsAWayPartByPart) {
   for (int i = 0; i < 6; ++i) {
     const double side = i % 2 == 0 ? 1.0 : -1.0;
     for (const double turn : {side, -side, side}) {
-      way.push_back({turn / radius, turn == -side ? 16.0 : 8.0});
+      way.push_back({turn / default_radius, turn == -side ? 16.0 : 8.0});
     }
     way.push_back({0, 9});
   }
@@ -520,7 +520,7 @@ TEST(Bending, ALaneChangeIsGentle) {
     options.steering = steering;
     const PlanResult result = plan(problem, options);
     ASSERT_EQ(result.status, PlanStatus::solved);
-    EXPECT_LT(sharpest(result.path->segments), 0.6 / radius) << name_of(steering);
+    EXPECT_LT(sharpest(result.path->segments), 0.6 / default_radius) << name_of(steering);
     EXPECT_TRUE(check_path(problem, *result.path).valid);
     EXPECT_NEAR(result.anytime.back().cost, result.cost, 1e-2 * result.cost);
   }

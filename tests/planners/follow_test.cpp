@@ -29,12 +29,12 @@ std::vector<Segment> slalom() {
   std::vector<Segment> way;
   for (int i = 0; i < 6; ++i) {
     const double side = i % 2 == 0 ? 1.0 : -1.0;
-    way.push_back({side / radius, 8});
-    way.push_back({-side / radius, 16});
-    way.push_back({side / radius, 8});
+    way.push_back({side / default_radius, 8});
+    way.push_back({-side / default_radius, 16});
+    way.push_back({side / default_radius, 8});
     way.push_back({0, 9});
   }
-  way.push_back({1 / radius, -12});
+  way.push_back({1 / default_radius, -12});
   way.push_back({0, -10});
   return way;
 }
@@ -83,7 +83,7 @@ TEST(Follower, StaysNearTheWay) {
     for (double s = 0.0; s < length(whole); s += 5.0) {
       farthest = std::max(farthest, distance_from(*path, pose_at(whole, s)));
     }
-    EXPECT_LT(farthest, 0.1 * radius) << name_of(steering);
+    EXPECT_LT(farthest, 0.1 * default_radius) << name_of(steering);
     const Pose end = end_pose(*path);
     EXPECT_NEAR(std::hypot(end.x - task.goal.x, end.y - task.goal.y), 0.0, 1e-8);
   }

@@ -39,7 +39,7 @@ std::vector<Segment> random_segments(Rng& rng) {
 }
 
 TEST(CurvatureCost, IsTheTotalVariationBetweenTheFirstSegmentAndTheLast) {
-  const double k = 1 / radius;
+  const double k = 1 / default_radius;
   EXPECT_DOUBLE_EQ(cost_of(steering, std::vector<Segment>{{k, 5}}), 5);
   EXPECT_DOUBLE_EQ(cost_of(steering, std::vector<Segment>{{k, 5}, {0, 3}}), 8 + 10 * k);
   EXPECT_DOUBLE_EQ(cost_of(steering, std::vector<Segment>{{k, 5}, {-k, 3}}), 8 + 20 * k);
@@ -88,8 +88,8 @@ TEST(CurvatureCost, MakesAPieceGoOnAsItsNeighboursDo) {
     const Problem problem = problem_of({}, {90, 0, 0}, {});
     search::Connector connector(problem.task(), {.curvature_change_cost = 50});
     const Pose to = uniform_pose({-20, 20, -20, 20}, rng);
-    const Driven left{1, 1 / radius};
-    const Driven right{1, -1 / radius};
+    const Driven left{1, 1 / default_radius};
+    const Driven right{1, -1 / default_radius};
     const Piece after_left = *connector.steer({}, Local(to), {left, 0});
     const Piece after_right = *connector.steer({}, Local(to), {right, 0});
     EXPECT_LE(connector.cost(after_left, {left, 0}), connector.cost(after_right, {left, 0}));

@@ -39,8 +39,8 @@ Piece piece_of(std::span<const Segment> segments) {
 /// A word between two random poses: each of those of Reeds and Shepp and of Dubins has a chance.
 Piece random_word(Rng& rng) {
   const Pose to = uniform_pose({-25, 25, -25, 25}, rng);
-  std::vector<Piece> words = reeds_shepp_words({}, to, radius);
-  for (const Piece& word : dubins_words({}, to, radius)) words.push_back(word);
+  std::vector<Piece> words = reeds_shepp_words({}, to, default_radius);
+  for (const Piece& word : dubins_words({}, to, default_radius)) words.push_back(word);
   const Piece word = words[rng() % words.size()];
   return rng() % 2 == 0 ? word : reversed(word);
 }
@@ -89,7 +89,8 @@ void expect_no_dearer(const Pose& start, const Piece& word, const Pose& goal,
       << as_code(word.view()) << " to " << as_code(goal);
   EXPECT_TRUE(ends_within(end_of(start, piece), goal, {0.9e-6, 0.9e-6})) << as_code(word.view());
   EXPECT_NEAR(piece.length, length(piece.view()), 1e-9);
-  for (const Segment& segment : piece.view()) EXPECT_LE(std::abs(segment.curvature), 1 / radius);
+  for (const Segment& segment : piece.view())
+    EXPECT_LE(std::abs(segment.curvature), 1 / default_radius);
 }
 
 TEST(PricedSteering, CostsNoMoreThanTheWordThatMadeTheGoal) {
@@ -110,7 +111,7 @@ TEST(PricedSteering, DrivesATypedArcInOneGo) {
     const PlanResult result =
         plan(problem_of({}, goal, {}), {.cost = dear, .steering = Steering::reeds_shepp});
     ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
-    EXPECT_NEAR(result.cost, radius * goal.heading, 1e-5);
+    EXPECT_NEAR(result.cost, default_radius * goal.heading, 1e-5);
     EXPECT_EQ(result.path->segments.size(), 1U);
   }
 }
@@ -120,7 +121,8 @@ TEST(PricedSteering, DrivesAnArcInOneGoFarFromTheOrigin) {
   for_each_case(2, 200, [](Rng& rng) {
     const Pose start{500000 + uniform(0, 100, rng), 6400000 + uniform(0, 100, rng),
                      uniform(-3.1, 3.1, rng)};
-    const Segment arc{(rng() % 2 == 0 ? 1 : -1) / radius, uniform(0.1, 4, rng) * radius};
+    const Segment arc{(rng() % 2 == 0 ? 1 : -1) / default_radius,
+                      uniform(0.1, 4, rng) * default_radius};
     const Path path{start, {arc}};
     Scenario scenario{.bounds = {start.x - 100, start.x + 100, start.y - 100, start.y + 100},
                       .start = start,
@@ -154,9 +156,9 @@ TEST(PricedSteering, EndsOnTheWayButForRounding) {
 // Cut anywhere, a word is steered along its parts as it was: rounding brings no gear change.
 TEST(PricedSteering, GoesOnAlongAWordThatWasCut) {
   for_each_case(4, 300, [](Rng& rng) {
-    const Piece word = piece_of(std::vector<Segment>{{1 / radius, uniform(1, 20, rng)},
+    const Piece word = piece_of(std::vector<Segment>{{1 / default_radius, uniform(1, 20, rng)},
                                                      {0, uniform(1, 200, rng)},
-                                                     {-1 / radius, uniform(1, 20, rng)}});
+                                                     {-1 / default_radius, uniform(1, 20, rng)}});
     const Problem problem = problem_of({}, end_of(Pose{}, word), {});
     Connector connector(problem.task(), {1, 2, 20, 0});
     Pose pose;
@@ -188,13 +190,13 @@ TEST(PricedSteering, TheJudgeAllowsWhatItIsHeldAgainst) {
 // A left bend and a right one lead there, but for rounding: the line that would lead there exactly
 // is left out.
 TEST(Words, LackAPartThatIsNoLongerThanRounding) {
-  const Pose bend{2 * radius * std::sin(0.5), 2 * radius * (1 - std::cos(0.5)), 0};
+  const Pose bend{2 * default_radius * std::sin(0.5), 2 * default_radius * (1 - std::cos(0.5)), 0};
   for (const double off : {1e-12, 3e-12, 8e-12}) {
     std::vector<Piece> words;
-    steering::find_words({}, {bend.x + off, bend.y, 0}, radius,
-                         {.longest = 2 * radius, .closing = steering::on_the_way}, words);
+    steering::find_words({}, {bend.x + off, bend.y, 0}, default_radius,
+                         {.longest = 2 * default_radius, .closing = steering::on_the_way}, words);
     EXPECT_TRUE(std::any_of(words.begin(), words.end(), [](const Piece& word) {
-      return word.count == 2 && std::abs(word.length - radius) < 1e-11;
+      return word.count == 2 && std::abs(word.length - default_radius) < 1e-11;
     })) << off;
   }
 }
@@ -212,8 +214,8 @@ TEST(Mended, LengthsComeBack) {
 }
 
 TEST(Mended, WhatWouldBeShorterThanNothingIsLeftOut) {
-  const Piece word = piece_of(std::vector<Segment>{{0, 1e-4}, {1 / radius, 5}, {0, 3}});
-  const Pose to = end_of(Pose{}, piece_of(std::vector<Segment>{{1 / radius, 5}, {0, 3}}));
+  const Piece word = piece_of(std::vector<Segment>{{0, 1e-4}, {1 / default_radius, 5}, {0, 3}});
+  const Pose to = end_of(Pose{}, piece_of(std::vector<Segment>{{1 / default_radius, 5}, {0, 3}}));
   const std::optional<Piece> mended = steering::mended({}, to, word, steering::on_the_way);
   ASSERT_TRUE(mended);
   EXPECT_LE(mended->count, 3);
@@ -221,7 +223,7 @@ TEST(Mended, WhatWouldBeShorterThanNothingIsLeftOut) {
 }
 
 TEST(Mended, EndsNowhereElse) {
-  const Piece word = piece_of(std::vector<Segment>{{1 / radius, 5}});
+  const Piece word = piece_of(std::vector<Segment>{{1 / default_radius, 5}});
   const Pose end = end_of(Pose{}, word);
   EXPECT_TRUE(steering::mended({}, {end.x, end.y, end.heading + 5e-7}, word, steering::at_goal));
   EXPECT_FALSE(steering::mended({}, {end.x, end.y, end.heading + 5e-6}, word, steering::at_goal));

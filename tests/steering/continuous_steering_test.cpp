@@ -17,8 +17,8 @@ namespace {
 
 constexpr double rate = 0.11;  // 1.3 m from straight to full lock
 
-const ContinuousSteering between(radius, rate, Continuity::between_stops);
-const ContinuousSteering throughout(radius, rate, Continuity::throughout);
+const ContinuousSteering between(default_radius, rate, Continuity::between_stops);
+const ContinuousSteering throughout(default_radius, rate, Continuity::throughout);
 
 TEST(ContinuousSteering, EqualPosesNeedNothing) {
   for (const ContinuousSteering& steering : {between, throughout}) {
@@ -37,29 +37,29 @@ TEST(ContinuousSteering, StraightOnIsALine) {
 }
 
 TEST(ContinuousSteering, AnArcIsAnArcWhereTheWheelsMayBeTurnedBefore) {
-  const Pose goal = advance({0, 0, 0}, {1 / radius, 5.0});
+  const Pose goal = advance({0, 0, 0}, {1 / default_radius, 5.0});
   EXPECT_NEAR(between.length({0, 0, 0}, goal), 5, 1e-9);
   EXPECT_GT(throughout.length({0, 0, 0}, goal), 5.01);
-  const ContinuousQuery bent{1 / radius, 1 / radius};
+  const ContinuousQuery bent{1 / default_radius, 1 / default_radius};
   EXPECT_NEAR(throughout.length({0, 0, 0}, goal, bent), 5, 1e-9);
 }
 
 TEST(ContinuousSteering, ALegTurnsItsWheelsWhereItStandsAndStraightensThemWhereItRolls) {
-  const double ramp = 1 / radius / rate;
-  const Pose bent = advance({0, 0, 0}, {1 / radius, 5.0});
-  const Pose goal = advance(bent, {1 / radius, ramp, -rate});
+  const double ramp = 1 / default_radius / rate;
+  const Pose bent = advance({0, 0, 0}, {1 / default_radius, 5.0});
+  const Pose goal = advance(bent, {1 / default_radius, ramp, -rate});
   ContinuousQuery leg;
   leg.goal_stands = false;
   const Piece piece = *between.steer({0, 0, 0}, goal, leg);
   ASSERT_EQ(piece.count, 2);
-  EXPECT_NEAR(piece.segments[0].curvature, 1 / radius, 1e-12);
+  EXPECT_NEAR(piece.segments[0].curvature, 1 / default_radius, 1e-12);
   EXPECT_NEAR(piece.segments[0].length, 5, 1e-9);
   EXPECT_NEAR(piece.segments[1].length, ramp, 1e-9);
 
   ContinuousQuery back;
   back.start_stands = false;
   EXPECT_NEAR(between.length(goal, {0, 0, 0}, back), 5 + ramp, 1e-9);
-  leg.goal_curvature = 1 / radius;
+  leg.goal_curvature = 1 / default_radius;
   EXPECT_NEAR(between.length({0, 0, 0}, bent, leg), 5, 1e-9);
 }
 
@@ -69,10 +69,10 @@ TEST(ContinuousSteering, AStandingEndTakesNoAccountOfItsCurvature) {
 }
 
 TEST(ContinuousSteering, ATurnIsTwoClothoidsAndAnArc) {
-  const double ramp = 1 / radius / rate;
+  const double ramp = 1 / default_radius / rate;
   Pose goal = advance({0, 0, 0}, {0, ramp, rate});
-  goal = advance(goal, {1 / radius, 3});
-  goal = advance(goal, {1 / radius, ramp, -rate});
+  goal = advance(goal, {1 / default_radius, 3});
+  goal = advance(goal, {1 / default_radius, ramp, -rate});
   const Piece piece = throughout.steer({0, 0, 0}, goal);
   ASSERT_EQ(piece.count, 3);
   EXPECT_NEAR(piece.length, 2 * ramp + 3, 1e-9);
@@ -86,7 +86,7 @@ TEST(ContinuousSteering, AShortSidewaysMoveIsNoLoop) {
   for (const double aside : {1e-6, 1e-4, 1e-3, 1e-2}) {
     const double expected = 8 * std::cbrt(aside / (4 * rate));
     EXPECT_LE(throughout.length({0, 0, 0}, {0, aside, 0}), expected * (1 + 1e-6) + 1e-9) << aside;
-    const double least = reeds_shepp_length({0, 0, 0}, {0, aside, 0}, radius);
+    const double least = reeds_shepp_length({0, 0, 0}, {0, aside, 0}, default_radius);
     EXPECT_LE(between.length({0, 0, 0}, {0, aside, 0}), expected);
     EXPECT_GE(between.length({0, 0, 0}, {0, aside, 0}), least);
   }
@@ -114,7 +114,7 @@ TEST(ContinuousSteering, ACutoffKeepsWhatIsNoLonger) {
 /// A word of Reeds and Shepp with a part of no length: there Newton's method takes no step,
 /// although the word ends metres away.
 TEST(ContinuousSteering, WhereNoStepHelpsThereIsNoWord) {
-  ContinuousCase c{{radius, 0.0079401916730816747, Continuity::between_stops},
+  ContinuousCase c{{default_radius, 0.0079401916730816747, Continuity::between_stops},
                    {{58.110609299647251, 36.082516789588055, -2.8445636142154589},
                     {53.465902022497112, 27.340280559103974, -1.2737672874205623}},
                    {}};
@@ -125,7 +125,8 @@ TEST(ContinuousSteering, WhereNoStepHelpsThereIsNoWord) {
 TEST(ContinuousSteering, SlowSteeringWindsByMoreThanATurn) {
   for (const double ramp : {3.5, 7.0, 30.0, 1000.0}) {
     for (const Continuity kind : {Continuity::between_stops, Continuity::throughout}) {
-      const ContinuousSteering slow(radius, 1 / (ramp * radius * radius), kind);
+      const ContinuousSteering slow(default_radius, 1 / (ramp * default_radius * default_radius),
+                                    kind);
       for (const double heading : {0.0, 0.5, 1.5, 3.0}) {
         const DrawnPair pair{{0, 0, 0}, {4, 3, heading}};
         const ContinuousCase c{slow, pair, {}};
@@ -140,12 +141,12 @@ TEST(ContinuousSteering, RefusesWhatMeansNothing) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {0.0, -1.0, nan, infinity}) {
     EXPECT_THROW(ContinuousSteering(bad, rate, Continuity::throughout), InputError);
-    EXPECT_THROW(ContinuousSteering(radius, bad, Continuity::throughout), InputError);
+    EXPECT_THROW(ContinuousSteering(default_radius, bad, Continuity::throughout), InputError);
   }
-  EXPECT_THROW(ContinuousSteering(radius, 1e-9, Continuity::throughout), InputError);
+  EXPECT_THROW(ContinuousSteering(default_radius, 1e-9, Continuity::throughout), InputError);
   EXPECT_THROW((void)throughout.steer({nan, 0, 0}, {1, 0, 0}), InputError);
   EXPECT_THROW((void)throughout.length({0, 0, 0}, {1, 0, infinity}), InputError);
-  for (const double bad : {1.01 / radius, -0.2, nan}) {
+  for (const double bad : {1.01 / default_radius, -0.2, nan}) {
     EXPECT_THROW((void)throughout.length({}, {1, 0, 0}, {bad, 0}), InputError);
     EXPECT_THROW((void)throughout.length({}, {1, 0, 0}, {0, bad}), InputError);
   }

@@ -35,7 +35,7 @@ class Peer {
     state->setYaw(pose.heading);
   }
 
-  ompl::base::StateSpacePtr space_ = std::make_shared<Space>(radius);
+  ompl::base::StateSpacePtr space_ = std::make_shared<Space>(default_radius);
   State from_{space_};
   State to_{space_};
 };
@@ -45,7 +45,8 @@ void expect_same_lengths(std::uint64_t seed, Length length) {
   Peer<Space> peer;
   for_each_pair(seed, ompl_pairs, near_or_far_pair, [&](const DrawnPair& pair, Rng&) {
     const double expected = peer.distance(pair);
-    EXPECT_NEAR(length(pair.from, pair.to, radius), expected, 1e-9 * expected) << as_code(pair);
+    EXPECT_NEAR(length(pair.from, pair.to, default_radius), expected, 1e-9 * expected)
+        << as_code(pair);
   });
 }
 

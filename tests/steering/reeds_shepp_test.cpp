@@ -20,17 +20,17 @@ namespace {
 using std::numbers::pi;
 
 TEST(ReedsShepp, EqualPosesNeedNoSegments) {
-  const Piece piece = reeds_shepp({1, 2, 3}, {1, 2, 3}, radius);
+  const Piece piece = reeds_shepp({1, 2, 3}, {1, 2, 3}, default_radius);
   EXPECT_EQ(piece.count, 0);
   EXPECT_EQ(piece.length, 0);
 }
 
 TEST(ReedsShepp, HeadingsThatDifferByWholeTurnsAreEqual) {
-  EXPECT_NEAR(reeds_shepp_length({1, 2, 0.3}, {1, 2, 0.3 + 4 * pi}, radius), 0, 1e-12);
+  EXPECT_NEAR(reeds_shepp_length({1, 2, 0.3}, {1, 2, 0.3 + 4 * pi}, default_radius), 0, 1e-12);
 }
 
 TEST(ReedsShepp, StraightBackIsOneLineInReverse) {
-  const Piece piece = reeds_shepp({0, 0, 0}, {-10, 0, 0}, radius);
+  const Piece piece = reeds_shepp({0, 0, 0}, {-10, 0, 0}, default_radius);
   ASSERT_EQ(piece.count, 1);
   EXPECT_EQ(piece.segments[0].curvature, 0);
   EXPECT_DOUBLE_EQ(piece.segments[0].length, -10);
@@ -38,8 +38,8 @@ TEST(ReedsShepp, StraightBackIsOneLineInReverse) {
 
 TEST(ReedsShepp, PureRotationIsAsLongAsItsArc) {
   for (const double turn : {1e-6, 0.1, 1.0, pi / 2, 3.0, pi, -pi, -2.0}) {
-    const Piece piece = reeds_shepp({4, -3, 0.5}, {4, -3, 0.5 + turn}, radius);
-    EXPECT_NEAR(piece.length, radius * std::abs(turn), 1e-9) << turn;
+    const Piece piece = reeds_shepp({4, -3, 0.5}, {4, -3, 0.5 + turn}, default_radius);
+    EXPECT_NEAR(piece.length, default_radius * std::abs(turn), 1e-9) << turn;
     EXPECT_TRUE(leads(piece, {4, -3, 0.5}, {4, -3, 0.5 + turn}));
   }
 }
@@ -59,7 +59,7 @@ TEST(ReedsShepp, ThereAre48WordsAndNoneIsListedTwice) {
   for_each_case(1, 20'000, [&](Rng& rng) {
     std::set<std::string> here;
     for (const Piece& piece :
-         reeds_shepp_words({}, uniform_pose({-50, 50, -50, 50}, rng), radius)) {
+         reeds_shepp_words({}, uniform_pose({-50, 50, -50, 50}, rng), default_radius)) {
       EXPECT_TRUE(here.insert(word_of(piece)).second) << word_of(piece);
     }
     all.merge(here);
@@ -70,9 +70,9 @@ TEST(ReedsShepp, ThereAre48WordsAndNoneIsListedTwice) {
 TEST(ReedsShepp, AShiftAcrossIsFourArcsAndCostsFarMoreThanItsWidth) {
   // At unit radius two arcs of angle a and back again shift by 4 (1 - cos a).
   const double a = std::acos(1 - 0.5 / 7 / 4);
-  const Piece piece = reeds_shepp({0, 0, 0}, {0, 0.5, 0}, radius);
+  const Piece piece = reeds_shepp({0, 0, 0}, {0, 0.5, 0}, default_radius);
   EXPECT_EQ(piece.count, 4);
-  EXPECT_LT(piece.length, 4 * a * radius + 1e-12);
+  EXPECT_LT(piece.length, 4 * a * default_radius + 1e-12);
   EXPECT_GT(piece.length, 5);  // half a metre sideways costs ten times as much
   EXPECT_TRUE(leads(piece, {0, 0, 0}, {0, 0.5, 0}));
 }
@@ -81,8 +81,8 @@ TEST(ReedsShepp, BackIsTheSameWayReversed) {
   for_each_case(2, 40'000, [](Rng& rng) {
     const Pose from = uniform_pose({-10, 10, -10, 10}, rng);
     const Pose to = uniform_pose({-10, 10, -10, 10}, rng);
-    const Piece there = reeds_shepp(from, to, radius);
-    const Piece back = reversed(reeds_shepp(to, from, radius));
+    const Piece there = reeds_shepp(from, to, default_radius);
+    const Piece back = reversed(reeds_shepp(to, from, default_radius));
     SCOPED_TRACE(as_code(from) + ", " + as_code(to));
     EXPECT_EQ(there.length, back.length);
     ASSERT_EQ(there.count, back.count);
@@ -96,13 +96,13 @@ TEST(ReedsShepp, IsTheShortestWordAndEveryWordEndsAtTheGoal) {
     const Pose to = uniform_pose({-10, 10, -10, 10}, rng);
     SCOPED_TRACE(as_code(from) + ", " + as_code(to));
     double least = INFINITY;
-    for (const Piece& piece : reeds_shepp_words(from, to, radius)) {
+    for (const Piece& piece : reeds_shepp_words(from, to, default_radius)) {
       EXPECT_TRUE(leads(piece, from, to));
       least = std::min(least, piece.length);
     }
-    const Piece piece = reeds_shepp(from, to, radius);
+    const Piece piece = reeds_shepp(from, to, default_radius);
     EXPECT_NEAR(piece.length, least, 1e-12 * least);
-    EXPECT_EQ(reeds_shepp_length(from, to, radius), piece.length);
+    EXPECT_EQ(reeds_shepp_length(from, to, default_radius), piece.length);
     EXPECT_TRUE(leads(piece, from, to));
   });
 }

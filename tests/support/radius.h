@@ -8,6 +8,6 @@
 namespace vandplan {
 
 /// Smallest turning radius of the default vehicle [m].
-inline constexpr double radius = Vehicle{}.min_turning_radius;
+inline constexpr double default_radius = Vehicle{}.min_turning_radius;
 
 }  // namespace vandplan
