@@ -86,8 +86,8 @@ const BadRow bad_rows[] = {
      "goals[1].obstacles[0]: has 2 corners, expected at least 3"}};
 
 TEST(ScenarioRow, AGoalThatIsNotThereIsRefused) {
-  EXPECT_NO_THROW((void)scenario_at(row(), row().size() - 1));
-  EXPECT_THROW((void)scenario_at(row(), row().size()), InputError);
+  EXPECT_NO_THROW((void)scenario_at(row_of_three(), row_of_three().size() - 1));
+  EXPECT_THROW((void)scenario_at(row_of_three(), row_of_three().size()), InputError);
 }
 
 TEST(ScenarioRow, ErrorsNameTheGoal) {

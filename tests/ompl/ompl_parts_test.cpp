@@ -12,6 +12,7 @@
 
 #include "support/cases.h"
 #include "support/ompl_query.h"
+#include "vandplan/input_error.h"
 #include "vandplan/ompl.h"
 #include "vandplan/random.h"
 
