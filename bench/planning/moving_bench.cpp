@@ -2,18 +2,19 @@
 // Copyright (c) 2026, the Vändplan authors
 // How soon and how well does the default planner plan among moving obstacles?
 //
-// usage: moving_bench WORLDS ITERATIONS [BEST [FIRST]]
-// WORLDS random worlds of each kind (support/moving_worlds.h), from number FIRST on. A line (CSV)
-// for each world: first drive (iterations, and the processor time of a run that ends there); after
-// ITERATIONS the cost of prices and 2 m for each second, the seconds, and both over those of the
-// cheapest of twelve runs of BEST iterations; segments below 5 cm; gear changes. Then medians, and
-// 95 % or the worst, by kind.
+// usage: moving_bench WORLDS ITERATIONS [BEST [FIRST [KIND]]]
+// WORLDS random worlds of each kind (support/moving_worlds.h) or of KIND alone, from number FIRST
+// on. A line (CSV) for each world: first drive (iterations, and the processor time of a run that
+// ends there); after ITERATIONS the cost of prices and 2 m for each second, the seconds, and both
+// over those of the cheapest of twelve runs of BEST iterations; segments below 5 cm; gear changes.
+// Then medians, and 95 % or the worst, by kind.
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <string>
 #include <vector>
@@ -104,7 +105,7 @@ Figures measured(const std::string& name, const Scenario& scenario, std::int64_t
 
 int main(int argc, char** argv) {
   if (argc < 3) {
-    return std::fprintf(stderr, "usage: moving_bench WORLDS ITERATIONS [BEST [FIRST]]\n"), 2;
+    return std::fprintf(stderr, "usage: moving_bench WORLDS ITERATIONS [BEST [FIRST [KIND]]]\n"), 2;
   }
   const int worlds = std::atoi(argv[1]);
   const std::int64_t iterations = std::atoll(argv[2]);
@@ -114,6 +115,7 @@ int main(int argc, char** argv) {
   std::printf(
       "world,first_iteration,first_ms,cost,seconds,excess,seconds_excess,crumbs,gear_changes\n");
   for (std::size_t kind = 0; kind < std::size(moving_kinds); ++kind) {
+    if (argc > 5 && std::strcmp(argv[5], moving_kinds[kind]) != 0) continue;
     Figures of_kind;
     for (int i = from; i < from + worlds; ++i) {
       const std::string name = moving_kinds[kind] + ("-" + std::to_string(i));

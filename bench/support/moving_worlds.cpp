@@ -183,12 +183,40 @@ Scenario parking(Rng& rng) {
   return s;
 }
 
+Scenario forklifts(Rng& rng) {
+  Scenario s;
+  s.bounds = {-15, 95, -30, 30};
+  s.start = {0, between(rng, -6, 6), 0};
+  s.goal = {80, between(rng, -6, 6), 0};
+  const Polygon forklift = box(-1.5, -0.8, 2.0, 0.8);
+  for (const double row : {25.0, 52.0}) {
+    const double x = row + between(rng, -3, 3);
+    const double gap = between(rng, -8, 8);  // middle of the gap in the row of stacks
+    s.obstacles.push_back(box(x, -30, x + 3, gap - 4.5));
+    s.obstacles.push_back(box(x, gap + 4.5, x + 3, 30));
+    MovingObstacle& mover = s.moving.emplace_back();
+    mover.outline = forklift;
+    const double behind = x + between(rng, 6, 9);
+    double t = between(rng, -10, 0);
+    double side = uniform01(rng) < 0.5 ? 1 : -1;
+    while (t < 150) {
+      // It stands for a while, and drives to the other side.
+      const double leaves = t + between(rng, 1, 4);
+      mover.trajectory.push_back({t, {behind, gap + 7 * side, pi / 2}});
+      mover.trajectory.push_back({leaves, {behind, gap + 7 * side, pi / 2}});
+      t = leaves + between(rng, 6, 8);
+      side = -side;
+    }
+  }
+  return s;
+}
+
 }  // namespace
 
 Scenario moving_world(std::size_t kind, std::uint64_t number) {
   Rng rng(1000 * kind + number);
   Scenario (*const make[])(Rng&) = {dock,       door,     gate,   crossing, stopped,
-                                    roundabout, dead_end, convoy, parking};
+                                    roundabout, dead_end, convoy, parking,  forklifts};
   Scenario s = make[kind](rng);
   s.vehicle = {.wheelbase = 4.5,
                .front_overhang = 1.4,
