@@ -38,7 +38,7 @@ inline constexpr std::int64_t patience = 500;
 /// A search for paths among standing obstacles and some ghosts of moving ones, or along a detour.
 struct Source {
   Ghosts ghosts = {};
-  Task task = {};                     ///< task without moving obstacles
+  Task task = {};                     ///< task with the ghosts as standing obstacles
   std::optional<Detour> detour = {};  ///< detour that all paths lead along, if there is one
   /// Search for paths; made when it is first needed.
   std::unique_ptr<planning::PathSearch> search = {};

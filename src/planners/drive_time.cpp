@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vandplan/motion.h"
-
 namespace vandplan::planning {
 namespace {
 
@@ -24,12 +22,14 @@ double higher_speed(const DrivingLimits& limits) {
 
 }  // namespace
 
-double drive_time(const Task& task, std::span<const Segment> segments) {
-  const Path path{task.start, {segments.begin(), segments.end()}};
+SpeedProfile fastest_drive(const Task& task, const Path& path) {
   return speed_profile(path, task.vehicle,
                        {.start_curvature = task.curvatures.start,
-                        .limits = speed_limits(task, start_state(task), segments)})
-      .duration;
+                        .limits = speed_limits(task, start_state(task), path.segments)});
+}
+
+double drive_time(const Task& task, std::span<const Segment> segments) {
+  return fastest_drive(task, {task.start, {segments.begin(), segments.end()}}).duration;
 }
 
 double top_speed(const Vehicle& vehicle, const search::CostRule& prices) {

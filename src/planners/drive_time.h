@@ -6,11 +6,15 @@
 #include <array>
 #include <span>
 
+#include "vandplan/motion.h"
 #include "vandplan/path.h"
 #include "vandplan/problem.h"
 #include "vandplan/search.h"
 
 namespace vandplan::planning {
+
+/// The fastest drive along a path from the start.
+[[nodiscard]] SpeedProfile fastest_drive(const Task& task, const Path& path);
 
 /// Duration of the fastest drive from the start along the segments [s].
 [[nodiscard]] double drive_time(const Task& task, std::span<const Segment> segments);

@@ -153,6 +153,7 @@ std::optional<Task> task_around(const Task& task, const Ghosts& ghosts,
     Task around = task_of(problem, clearance, task.steering);
     around.last_stretch = task.last_stretch;
     around.via = task.via;
+    around.moving = task.moving;
     const CollisionChecker& checker = *around.checker;
     if (checker.is_free(start_state(task)) && checker.is_free(goal_state(task))) return around;
   } catch (const InputError&) {

@@ -53,8 +53,8 @@ class TriedGhosts {
   std::vector<Ghosts> blocked_;
 };
 
-/// The task with the ghosts as standing obstacles and without moving ones. Outlines that the
-/// vehicle would touch at the start are left out: the vehicle is elsewhere then. None if the last
+/// The task with the ghosts as standing obstacles, beside all that moves. Outlines that the vehicle
+/// would touch at the start are left out: the vehicle is elsewhere then. None if the last
 /// ghost adds no outline, or start or goal are not free then.
 [[nodiscard]] std::optional<Task> task_around(const Task& task, const Ghosts& ghosts,
                                               const ClearanceOptions& clearance);

@@ -62,9 +62,7 @@ class InTimeRun {
         !none.reason.empty()) {
       return none;
     }
-    Task alone = task_;
-    alone.moving.clear();
-    Source& first = sources_.emplace_back(Source{.ghosts = {}, .task = std::move(alone)});
+    Source& first = sources_.emplace_back(Source{.ghosts = {}, .task = task_});
     if (planning::is_there(task_)) {
       consider(first, {}, false);
       PlannerAnswer answer = finished({});
@@ -185,8 +183,8 @@ class InTimeRun {
   /// Cost of the best drive; infinity: there is none.
   [[nodiscard]] double best_cost() const { return best_ ? best_->cost : endless; }
 
-  /// Whether no better drive can be found: the search without moving obstacles has ended, and has
-  /// no path or its path is driven as if nothing moved.
+  /// Whether no better drive can be found: the search without ghosts has ended, and has no path or
+  /// its path is driven as if nothing moved.
   [[nodiscard]] bool is_settled() const {
     const Source& alone = sources_.front();
     if (!alone.is_searched) return false;

@@ -112,7 +112,7 @@ void judge(const Problem& problem, const PlanOptions& options, PlanResult& resul
 /// clearance less finely.
 void settle_cost(const Task& task, const CostOptions& options, PlanResult& result) {
   const planning::Pricing pricing(task, options);
-  result.cost = pricing.cost(result.path->segments, search::ClearanceSampling::answer);
+  result.cost = pricing.path_cost(result.path->segments, search::ClearanceSampling::answer);
   if (!pricing.is_time() && !pricing.prices().has_surcharge()) return;
   std::vector<CostSample>& trace = result.anytime;
   // Among moving obstacles a better drive may have a dearer path.

@@ -12,6 +12,7 @@
 namespace vandplan::planning {
 namespace {
 
+constexpr double never = std::numeric_limits<double>::infinity();
 constexpr double price_of_metre = 1e3;  // price of a metre that strokes are too short [m or s]
 
 /// Sum of the lengths by which strokes are shorter than `least` [m]; 0 without a gear change.
@@ -57,7 +58,8 @@ Pricing::Pricing(const Task& task, const CostOptions& cost, double time_price, d
       rule_(with_gears_beyond(task, rule_of(task, cost, time_price))),
       is_time_(cost.measure == CostMeasure::time),
       time_price_(time_price),
-      min_stroke_(min_stroke) {}
+      min_stroke_(min_stroke),
+      delay_(task.moving.empty() ? nullptr : std::make_shared<const Delay>(task)) {}
 
 double Pricing::near_cost(std::span<const Segment> segments,
                           search::ClearanceSampling sampling) const {
@@ -67,7 +69,6 @@ double Pricing::near_cost(std::span<const Segment> segments,
 
 double Pricing::path_cost(std::span<const Segment> segments, double near) const {
   if (!is_time_) return search::drive_cost(prices_, segments) + near;
-  constexpr double never = std::numeric_limits<double>::infinity();
   return search::may_drive(prices_, segments) ? drive_time(task_, segments) : never;
 }
 
@@ -76,10 +77,19 @@ double Pricing::path_cost(std::span<const Segment> segments,
   return path_cost(segments, near_cost(segments, sampling));
 }
 
+/// Duration of the fastest drive, and about what it loses by letting moving obstacles pass [s].
+double Pricing::drive_time_among_movers(std::span<const Segment> segments) const {
+  if (!delay_) return drive_time(task_, segments);
+  const Path path{task_.start, {segments.begin(), segments.end()}};
+  const SpeedProfile drive = fastest_drive(task_, path);
+  return drive.duration + delay_->of(path, drive);
+}
+
 double Pricing::cost(std::span<const Segment> segments, double near) const {
-  const double of_path = path_cost(segments, near);
-  if (is_time_ || time_price_ == 0.0) return of_path;
-  return timed_cost(of_path, drive_time(task_, segments));
+  if (!counts_time()) return path_cost(segments, near);
+  if (is_time_ && !search::may_drive(prices_, segments)) return never;
+  const double of_path = is_time_ ? 0.0 : path_cost(segments, near);
+  return timed_cost(of_path, drive_time_among_movers(segments));
 }
 
 double Pricing::cost(std::span<const Segment> segments, search::ClearanceSampling sampling) const {

@@ -4,8 +4,10 @@
 // What does a drive cost: the prices of its path, its time, or both?
 
 #include <functional>
+#include <memory>
 #include <span>
 
+#include "planners/delay.h"
 #include "search/route.h"
 #include "vandplan/plan_options.h"
 #include "vandplan/problem.h"
@@ -40,15 +42,14 @@ class Pricing {
   /// Whether the time is a part of the cost. Then the cost of a drive is no sum over its segments.
   [[nodiscard]] bool counts_time() const { return is_time_ || time_price_ > 0.0; }
 
-  /// Cost of `segments` from the start, driven as fast as possible if time counts. `near`:
-  /// clearance cost of the path [m].
+  /// Cost of `segments` from the start. If time counts, they are driven as fast as possible, and a
+  /// drive that meets a moving obstacle of the task takes longer. `near`: clearance cost of the
+  /// path [m].
   [[nodiscard]] double cost(std::span<const Segment> segments, double near) const;
-  /// Cost of `segments` from the start, driven as fast as possible if time counts. `sampling`: how
-  /// finely the clearance is summed.
+  /// Likewise. `sampling`: how finely the clearance is summed.
   [[nodiscard]] double cost(std::span<const Segment> segments,
                             search::ClearanceSampling sampling) const;
-  /// Cost of a route, driven as fast as possible if time counts, with the `clearance_cost` stored
-  /// in its legs.
+  /// Likewise of a route, with the `clearance_cost` stored in its legs.
   [[nodiscard]] double cost(const search::Route& route) const;
 
   /// Cost of the path alone, whatever a second costs. If the cost is the time, this is the time of
@@ -93,6 +94,7 @@ class Pricing {
 
  private:
   [[nodiscard]] double path_cost(std::span<const Segment> segments, double near) const;
+  [[nodiscard]] double drive_time_among_movers(std::span<const Segment> segments) const;
   [[nodiscard]] double near_cost(std::span<const Segment> segments,
                                  search::ClearanceSampling sampling) const;
 
@@ -102,6 +104,7 @@ class Pricing {
   bool is_time_;
   double time_price_;
   double min_stroke_;
+  std::shared_ptr<const Delay> delay_;  // null if nothing moves
 };
 
 /// Costs by the options of a planner that has the option "min_stroke".

@@ -67,6 +67,7 @@ class Through final : public PathSearch {
         paths_{detour.there, detour.onward} {
     auto& [there, onward] = tasks_;
     there.goal = onward.start = detour.refuge;
+    onward.moving.clear();  // when the vehicle leaves the refuge is not known
     there.curvatures.goal = onward.curvatures.start = 0.0;
     there.hitch_angles.goal = 0.0;
     there.last_stretch = 0.0;

@@ -59,7 +59,7 @@ class Refuges {
 using SearchMaker =
     std::function<std::unique_ptr<planning::PathSearch>(const Task&, const Path& known)>;
 
-/// A search for paths along a detour. Nothing moves in `task`.
+/// A search for paths along a detour.
 [[nodiscard]] std::unique_ptr<planning::PathSearch> search_through(const Task& task,
                                                                    const Detour& detour,
                                                                    SearchMaker make_search);

@@ -136,6 +136,7 @@ class ViaSearch final : public PathSearch {
     leg.via.clear();
     if (via > 0) {
       const ViaNode& from = chain[via - 1];
+      leg.moving.clear();  // when the leg begins is not known
       leg.start = Local(from.state.pose);
       leg.hitch_angles.start = from.state.hitch_angle;
       leg.curvatures.start = from.curvature;

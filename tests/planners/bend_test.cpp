@@ -483,6 +483,15 @@ TEST(Bender, TakesARouteOnce) {
   EXPECT_TRUE(bender.has_work());
 }
 
+TEST(Bending, LeavesOutCrumbsThatOtherCommandsMakeUpFor) {
+  const Path known{{0, 0, 0}, {{0, 10}, {0.02, 0.05}, {0, 10}}};
+  const Problem problem = problem_of(known.start, end_of(known), {});
+  const auto of_drive = [](std::span<const Segment> segments) { return length(segments); };
+  Bender bender(problem.task(), priced, 1, of_drive);
+  ASSERT_TRUE(bender.begin_with(known));
+  EXPECT_EQ(crumbs(bender.segments()), 0);
+}
+
 // What is made fast by bending is faster than what words alone can be.
 TEST(Bending, SavesWhatTheMeasureOfDrivesSays) {
   const Problem problem = problem_of({0, 0, 0}, {30, 3, 0}, {});

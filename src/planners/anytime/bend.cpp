@@ -52,6 +52,12 @@ void Bender::wait(Drive route) {
   waiting_.insert(std::ranges::upper_bound(waiting_, route, is_dearer), std::move(route));
 }
 
+std::vector<Segment> Bender::segments() const {
+  commands::DriveShortener neat = *best_;
+  neat.drop_crumbs();
+  return neat.segments();
+}
+
 std::int64_t Bender::checks() const {
   std::int64_t sum = checks_ + follower_.checks() + (best_ ? best_->checks() : 0);
   for (const auto& challenger : challengers_) sum += challenger->checks();

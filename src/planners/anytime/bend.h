@@ -60,7 +60,8 @@ class Bender final : public Worker {
     return {.commands = best_->commands(), .cost = best_->cost()};
   }
   [[nodiscard]] double cost() const { return best_->cost(); }
-  [[nodiscard]] std::vector<Segment> segments() const { return best_->segments(); }
+  /// Segments of the best drive, without crumbs that other commands can make up for.
+  [[nodiscard]] std::vector<Segment> segments() const;
   [[nodiscard]] std::int64_t checks() const;
 
  private:

@@ -285,13 +285,10 @@ void Composer::add_zone_prover() {
 // [7b] Adds the worker that judges routes by the whole drive.
 void Composer::add_cheapest_drive() {
   const auto cost = [&pricing = *pricing_](const Route& route) { return pricing.cost(route); };
-  // The clearance of bent drives has no price.
-  const Bender::Measure cost_of_bent = pricing_->is_time() ? pricing_->measure() : nullptr;
-  Slot& slot = add("cheapest drive",
-                   cheapest_drive(task_, rule_, seed(of_cheapest_drive), cost, cost_of_bent),
-                   [](const Progress& now) {
-                     return growing_share(shares::cheapest_drive, now.rounds_with_path);
-                   });
+  auto worker = cheapest_drive(task_, rule_, seed(of_cheapest_drive), cost, pricing_->measure());
+  Slot& slot = add("cheapest drive", std::move(worker), [](const Progress& now) {
+    return growing_share(shares::cheapest_drive, now.rounds_with_path);
+  });
   slot.phase = Phase::after;
 }
 
