@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "speed/driven.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan::planning {
@@ -18,14 +19,6 @@ constexpr double least_delay = 1.0;    // time that a drive which meets somebody
 /// is so large that going around is cheaper where there is room, and it falls where a path meets
 /// somebody for a shorter time.
 constexpr double delay_per_second = 4.0;
-
-/// Place on the path at a time between two knots, where the acceleration is constant [m].
-double place_between(const SpeedKnot& before, const SpeedKnot& after, double t) {
-  const double span = after.t - before.t;
-  if (span <= 0.0) return after.s;
-  const double u = (t - before.t) / span;
-  return before.s + (before.v + (after.v - before.v) * u / 2) * u * span;
-}
 
 /// States along a path, asked for in order.
 class Driver {
@@ -70,12 +63,9 @@ bool Delay::meets_anybody(const State& state, double t) const {
 double Delay::of(const Path& path, const SpeedProfile& drive) const {
   Driver driver(task_, path);
   int meetings = 0;
-  std::size_t after = 1;  // index of the knot after the look
   for (int look = 0; look * look_interval < drive.duration; ++look) {
     const double t = look * look_interval;
-    while (after + 1 < drive.knots.size() && drive.knots[after].t <= t) ++after;
-    const double s = place_between(drive.knots[after - 1], drive.knots[after], t);
-    if (meets_anybody(driver.state_at(s), t)) ++meetings;
+    if (meets_anybody(driver.state_at(speed::driven_at(drive, t)), t)) ++meetings;
   }
   return meetings == 0 ? 0.0 : least_delay + delay_per_second * meetings * look_interval;
 }
