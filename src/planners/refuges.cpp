@@ -209,7 +209,9 @@ std::optional<std::vector<Segment>> Refuges::way_there(const Path& path, double 
     const double back = uniform(0.0, furthest_along, rng_) * task_.vehicle.min_turning_radius;
     const double leaves = straight_place(path, std::max(s - back, 0.0));
     std::vector<Segment> way = search::part_of(path.segments, 0.0, leaves);
-    const auto piece = connector_.connect(Local(pose_at(path, leaves)), refuge);
+    search::DrivenBeside beside;
+    if (!way.empty()) beside.before = search::last_driven(way.back());
+    const auto piece = connector_.connect(Local(pose_at(path, leaves)), refuge, {.beside = beside});
     if (!piece) continue;
     append(way, piece->piece);
     return way;
@@ -223,11 +225,14 @@ std::optional<std::vector<Segment>> Refuges::way_onward(const Path& path, double
   for (int i = 0; i < places_to_leave; ++i) {
     const double ahead = uniform(0.0, furthest_along, rng_) * task_.vehicle.min_turning_radius;
     const double returns = straight_place(path, std::min(s + ahead, end));
-    const auto piece = connector_.connect(refuge, Local(pose_at(path, returns)));
+    const std::vector<Segment> rest = search::part_of(path.segments, returns, length(path));
+    search::DrivenBeside beside;
+    if (!rest.empty()) beside.after = {search::gear_of(rest.front()), rest.front().curvature};
+    const auto piece =
+        connector_.connect(refuge, Local(pose_at(path, returns)), {.beside = beside});
     if (!piece) continue;
     std::vector<Segment> way;
     append(way, piece->piece);
-    const std::vector<Segment> rest = search::part_of(path.segments, returns, length(path));
     way.insert(way.end(), rest.begin(), rest.end());
     return way;
   }

@@ -6,10 +6,13 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "moving/yielding.h"
+#include "planners/refuges.h"
 #include "support/cases.h"
 #include "support/problems.h"
+#include "support/radius.h"
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
 #include "vandplan/vehicle.h"
@@ -436,6 +439,49 @@ TEST(PlanInTime, WaitsInALayByUntilWhoComesTowardsItIsPast) {
     EXPECT_TRUE(result.drive_check->valid);
     EXPECT_LT(result.speeds->duration, 110);
   }
+}
+
+/// Number of places where the curvature jumps and the vehicle rolls on in the same gear.
+int jumps_while_rolling(const std::vector<Segment>& segments) {
+  int jumps = 0;
+  for (std::size_t i = 1; i < segments.size(); ++i) {
+    const Segment& before = segments[i - 1];
+    const double end = curvature_at(before, std::abs(before.length));
+    if (before.gear() != segments[i].gear()) continue;
+    if (std::abs(segments[i].curvature - end) * default_radius > 1e-6) ++jumps;
+  }
+  return jumps;
+}
+
+TEST(Refuges, LeaveAndJoinAPathWithoutAJumpOfTheCurvatureWhereTheVehicleRolls) {
+  // Full lock to the left, the wheels turn over, and full lock to the right. The vehicle changes
+  // gear and does the same backwards.
+  const double lock = 1 / default_radius;
+  const double rate = max_curvature_rate(Vehicle{});
+  const Path path{{0, 0, 0},
+                  {{lock, 6},
+                   {lock, 2 * lock / rate, -rate},
+                   {-lock, 6},
+                   {lock, -6},
+                   {lock, -2 * lock / rate, -rate},
+                   {-lock, -6}}};
+  const std::vector<MovingObstacle> afar = {
+      {.outline = car, .trajectory = {{0, {90, 60, 0}}, {60, {-90, 60, 0}}}}};
+  const Problem problem = with_moving(problem_of_path({.bounds = {-99, 99, -99, 99}}, path), afar);
+  const Task task = task_of(problem, {}, Steering::continuous_between_stops);
+  const PlanOptions options = complete(default_planner());
+  in_time::Refuges refuges(task, search::cost_rule(options.cost), options);
+  int detours = 0, changes = 0;
+  for (int draw = 0; draw < cases(400); ++draw) {
+    const auto detour = refuges.draw({task.start, path.segments}, 0);
+    if (!detour) continue;
+    ++detours;
+    EXPECT_EQ(jumps_while_rolling(detour->there), 0);
+    EXPECT_EQ(jumps_while_rolling(detour->onward), 0);
+    if (detour->there.front() == path.segments.front()) ++changes;
+  }
+  EXPECT_GT(detours, cases(400) / 4);
+  EXPECT_GT(changes, 0);  // some leave the path behind its beginning
 }
 
 TEST(PlanInTime, GoesOnWithoutADriveUntilTheBudgetIsSpent) {
