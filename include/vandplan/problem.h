@@ -324,7 +324,7 @@ enum class PlanStatus {
   start_in_collision,  ///< the start collides, is too near to something, or lies outside the bounds
   goal_in_collision,   ///< the goal collides, is too near to something, or lies outside the bounds
   iteration_limit,     ///< no path within the iterations
-  node_limit,          ///< the search ran out of nodes before it had a path
+  node_limit,          ///< no path, and the search has no nodes or no work left; proves nothing
   time_limit,          ///< no path within the time
   stopped,             ///< the caller stopped the run before it had a path
   no_path,             ///< proven: no path exists

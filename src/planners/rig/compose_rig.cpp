@@ -22,13 +22,13 @@ namespace {
 using anytime::Progress, anytime::Share;
 
 /// Searches for open ways and for narrow ones.
-constexpr std::array<Kind, 3> quick_kinds = {
+constexpr std::array<LineSettings, 3> quick_kinds = {
     {{3, 8, 1, 32, 1, 0}, {2.2, 8, 2, 32, 1, 1}, {1.5, 8, 4, 32, 1, 2}}};
 /// Searches with small steps, which look for good drives rather than for the next one.
-constexpr std::array<Kind, 1> careful_kinds = {{{1, 1.7, 1, 32, 1, 3}}};
+constexpr std::array<LineSettings, 1> careful_kinds = {{{1, 1.7, 1, 32, 1, 3}}};
 /// Searches that drive forward alone. A drive that backs up is found sooner, so the other searches
 /// hardly ever find the way around.
-constexpr std::array<Kind, 1> forward_kinds = {{{2.2, 2, 1, 32, 1, 4, true}}};
+constexpr std::array<LineSettings, 1> forward_kinds = {{{2.2, 2, 1, 32, 1, 4, true}}};
 
 /// Streams of random numbers, one for each worker.
 enum Stream : std::uint64_t {
@@ -42,13 +42,13 @@ enum Stream : std::uint64_t {
 };
 
 /// Iterations of a worker in a round: while there is no drive, and with one. Rounds grow.
-struct Turns {
+struct Shares {
   std::int64_t until_drive;
   std::int64_t with_drive;
 };
-constexpr Turns quick_turns{48, 96}, careful_turns{48, 96}, forward_turns{16, 32};
-constexpr Turns tractor_turns{16, 96}, bare_turns{128, 0};
-constexpr Turns best_turns{0, 192};
+constexpr Shares quick_shares{48, 96}, careful_shares{48, 96}, forward_shares{16, 32};
+constexpr Shares tractor_shares{16, 96}, bare_shares{128, 0};
+constexpr Shares best_shares{0, 192};
 
 /// Doublings of a round while there is no drive.
 constexpr std::int64_t most_doublings = 5;
@@ -60,11 +60,11 @@ constexpr std::int64_t work_of_far_way = 400;
 /// the first path on a site, fewer the proof.
 constexpr std::int64_t steps_of_proof = 256;
 
-Share share(const Turns& turns, std::int64_t first_round) {
-  return [turns, first_round](const Progress& now) {
-    if (now.has_path) return anytime::growing_share(turns.with_drive, now.rounds_with_path);
+Share share(const Shares& shares, std::int64_t first_round) {
+  return [shares, first_round](const Progress& now) {
+    if (now.has_path) return anytime::growing_share(shares.with_drive, now.rounds_with_path);
     if (now.rounds < first_round) return std::int64_t{0};
-    return turns.until_drive << std::min(now.rounds - first_round, most_doublings);
+    return shares.until_drive << std::min(now.rounds - first_round, most_doublings);
   };
 }
 
@@ -120,27 +120,29 @@ void add_workers(anytime::Portfolio& portfolio, const Task& task, const PlanOpti
   const std::int64_t first_search = begins_far ? 1 : 0;
   std::vector<const Task*> tasks;
   for (const Task& with : setting->wheels) tasks.push_back(&with);
-  const auto searches = [&](std::span<const Kind> kinds) {
+  const auto searches = [&](std::span<const LineSettings> kinds) {
     return std::make_unique<Searches>(setting, kinds, tasks);
   };
   const std::int64_t first_work = begins_far ? work_of_far_way : 128;
-  const Share of_path = share(tractor_turns, 0);
+  const Share of_path = share(tractor_shares, 0);
   Share behind = [begins_far, of_path](const Progress& now) {
     const bool is_first = begins_far && now.rounds == 0 && !now.has_path;
     return is_first ? 2 * work_of_far_way : of_path(now);
   };
   if (given.known != nullptr) portfolio.drive = drive_along(*setting, *given.known);
-  seek("quick searches", searches(quick_kinds), of_quick, share(quick_turns, first_search));
-  seek("careful searches", searches(careful_kinds), of_careful, share(careful_turns, first_search));
-  seek("forward searches", searches(forward_kinds), of_forward, share(forward_turns, first_search));
+  seek("quick searches", searches(quick_kinds), of_quick, share(quick_shares, first_search));
+  seek("careful searches", searches(careful_kinds), of_careful,
+       share(careful_shares, first_search));
+  seek("forward searches", searches(forward_kinds), of_forward,
+       share(forward_shares, first_search));
   if (setting->bare) {
     seek("searches without margin", std::make_unique<BareSearches>(setting, seed(of_bare)), of_bare,
-         share(bare_turns, first_search));
+         share(bare_shares, first_search));
   }
   seek("behind the tractor",
        std::make_unique<BehindTractor>(setting, first_work, stream_seed(seed(of_tractor), 0)),
        of_tractor, std::move(behind));
-  add("best", std::make_unique<BestImprover>(setting, seed(of_best)), share(best_turns, 0));
+  add("best", std::make_unique<BestImprover>(setting, seed(of_best)), share(best_shares, 0));
   for (std::size_t i = 0; i < given.sources.size(); ++i) {
     const NamedSource& source = given.sources[i];
     add(source.name,

@@ -27,7 +27,8 @@ constexpr std::size_t most_rounds = 16;  // searches after which they grow no mo
 constexpr double first_nodes = 40000.0;  // nodes at which the first search of a line ends
 
 /// Settings of the searches without the margin.
-constexpr std::array<Kind, 2> bare_kinds = {{{2.2, 8, 2, 128, 1, 0}, {1.5, 8, 4, 128, 1, 0}}};
+constexpr std::array<LineSettings, 2> bare_kinds = {
+    {{2.2, 8, 2, 128, 1, 0}, {1.5, 8, 4, 128, 1, 0}}};
 /// Expansions until the roomiest drive is moved again.
 constexpr std::int64_t expansions_until_another_try = 1024;
 
@@ -52,12 +53,12 @@ CostRule rule_of_room(double margin) {
 
 }  // namespace
 
-Searches::Searches(std::shared_ptr<const Setting> setting, std::span<const Kind> kinds,
+Searches::Searches(std::shared_ptr<const Setting> setting, std::span<const LineSettings> kinds,
                    std::vector<const Task*> tasks)
     : setting_(std::move(setting)),
       rules_{setting_->pricing.rule(), search::cost_rule(helpful_prices(setting_->options.cost))},
       tasks_(std::move(tasks)) {
-  for (const Kind& kind : kinds) lines_.push_back({.kind = kind});
+  for (const LineSettings& kind : kinds) lines_.push_back({.kind = kind});
   std::ranges::transform(rules_, forward_rules_.begin(), [](const CostRule& rule) {
     return search::restricted(rule, AllowedGears::forward);
   });

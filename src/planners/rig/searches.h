@@ -19,7 +19,7 @@
 namespace vandplan::rig {
 
 /// Settings of a line of searches, for ways that are open, narrow or full of turns.
-struct Kind {
+struct LineSettings {
   double step;              ///< step of the first search [units of a search]
   double weight;            ///< weight of the cost-to-go in the first search
   int levels;               ///< levels of finer steps where there is little room
@@ -34,7 +34,7 @@ struct Kind {
 class Searches final : public ChainSource {
  public:
   /// `tasks`: tasks that the searches of a line have in turn, with the wheels 0, 1, ...
-  Searches(std::shared_ptr<const Setting> setting, std::span<const Kind> kinds,
+  Searches(std::shared_ptr<const Setting> setting, std::span<const LineSettings> kinds,
            std::vector<const Task*> tasks);
 
   [[nodiscard]] anytime::Found work(std::int64_t most, const search::Budget& budget) override;
@@ -44,7 +44,7 @@ class Searches final : public ChainSource {
  private:
   /// One line: its search at hand, and how many there have been.
   struct Line {
-    Kind kind;
+    LineSettings kind;
     std::optional<RigSearch> search = {};
     std::size_t round = 0;
     std::size_t task = 0;              // index of the task that the search has
