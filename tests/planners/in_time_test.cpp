@@ -472,7 +472,8 @@ TEST(Refuges, LeaveAndJoinAPathWithoutAJumpOfTheCurvatureWhereTheVehicleRolls) {
   const PlanOptions options = complete(default_planner());
   in_time::Refuges refuges(task, search::cost_rule(options.cost), options);
   int detours = 0, changes = 0;
-  for (int draw = 0; draw < cases(400); ++draw) {
+  constexpr int draws = 100;
+  for (int draw = 0; draw < draws; ++draw) {
     const auto detour = refuges.draw({task.start, path.segments}, 0);
     if (!detour) continue;
     ++detours;
@@ -480,7 +481,7 @@ TEST(Refuges, LeaveAndJoinAPathWithoutAJumpOfTheCurvatureWhereTheVehicleRolls) {
     EXPECT_EQ(jumps_while_rolling(detour->onward), 0);
     if (detour->there.front() == path.segments.front()) ++changes;
   }
-  EXPECT_GT(detours, cases(400) / 4);
+  EXPECT_GT(detours, draws / 4);
   EXPECT_GT(changes, 0);  // some leave the path behind its beginning
 }
 
