@@ -19,6 +19,9 @@ struct Turn {
 /// The iterations of one worker in a round, in each kind of run.
 struct Row {
   Turn until_route = {};  ///< share while there is no route; cheap workers begin first
+  // Shares with a route grow with the rounds: by `growing_share` in `by_prices`, by `growth` in all
+  // others.
+
   /// Iterations with a route, if the cost is the length, or over a site.
   std::int64_t by_length = 0;
   std::int64_t by_time = 0;  ///< iterations with a route, if time has a price
@@ -59,7 +62,7 @@ inline constexpr Row bend{.by_length = 24, .by_prices = 96, .with_gap_or_known =
 inline constexpr std::int64_t survey = 16;
 /// Share of the survey in its first pass [iterations a round]. It is large, because a first route
 /// of another kind is wanted soon.
-inline constexpr std::int64_t first_pass = 100;
+inline constexpr std::int64_t first_pass = 50;
 
 /// Rounds from one round of detours to the next, over a whole site. Detours and refining have
 /// different rounds, because each would lose what the other gained in the same round.
@@ -73,7 +76,7 @@ inline constexpr std::int64_t cheapest_drive = 192;
 
 /// Iteration at which the survey begins, if there is a route. Earlier it would delay workers that
 /// gain more.
-inline constexpr std::int64_t first_survey = 1000;
+inline constexpr std::int64_t first_survey = 500;
 /// Rounds with a route after which the survey begins in any case: all other workers may have ended.
 inline constexpr std::int64_t rounds_without_work = 64;
 
