@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "base/splice.h"
 #include "planners/anytime/shorten.h"
@@ -28,36 +29,53 @@ class Tidier {
  public:
   Tidier(Connector& connector, const LocalPose& start, Segments segments)
       : connector_(connector),
-        start_(start),
         segments_(merged(segments)),
+        poses_{start},
         is_continuous_(connector.continuous() != nullptr),
-        crumb_(commands::crumb_length(connector.radius())) {}
+        crumb_(commands::crumb_length(connector.radius())) {
+    take_poses(0);
+    cost_ = cost_between(0, segments_.size(), segments_);
+  }
 
   void drop_crumbs();
   [[nodiscard]] const Segments& segments() const { return segments_; }
 
  private:
-  [[nodiscard]] double cost(const Segments& segments) const;
-  [[nodiscard]] LocalPose pose_before(std::size_t i) const;
+  [[nodiscard]] double cost_between(std::size_t first, std::size_t last,
+                                    std::span<const Segment> segments);
+  void take_poses(std::size_t first);
   [[nodiscard]] bool is_free(LocalPose from, std::span<const Segment> segments);
   [[nodiscard]] bool drop(std::size_t first, std::size_t last, double limit);
   [[nodiscard]] std::size_t end_of_crumbs(std::size_t first) const;
 
   Connector& connector_;
-  LocalPose start_;
   Segments segments_;
+  std::vector<LocalPose> poses_;  // pose before each segment, and the last one
+  double cost_ = 0.0;             // cost of the path
   bool is_continuous_;
   double crumb_;
 };
 
-double Tidier::cost(const Segments& segments) const {
-  return drive_cost(connector_.rule(), segments) + connector_.clearance_cost(start_, segments);
+/// Cost of `segments` in place of the segments [first, last) of the path, with the changes at both
+/// ends.
+double Tidier::cost_between(std::size_t first, std::size_t last,
+                            std::span<const Segment> segments) {
+  const CostRule& rule = connector_.rule();
+  Driven driven = first == 0 ? rule.initial_gear : last_driven(segments_[first - 1]);
+  const double sum = drive_cost(rule, segments, driven);
+  const Driven next = last == segments_.size()
+                          ? Driven(rule.final_gear)
+                          : Driven{gear_of(segments_[last]), segments_[last].curvature};
+  return sum + search::change_cost(rule, driven, next) +
+         connector_.clearance_cost(poses_[first], segments);
 }
 
-LocalPose Tidier::pose_before(std::size_t i) const {
-  LocalPose pose = start_;
-  for (const Segment& segment : std::span(segments_).first(i)) pose = advance(pose, segment);
-  return pose;
+/// Computes the poses behind the segments from `first` on.
+void Tidier::take_poses(std::size_t first) {
+  poses_.resize(segments_.size() + 1);
+  for (std::size_t i = first; i < segments_.size(); ++i) {
+    poses_[i + 1] = advance(poses_[i], segments_[i]);
+  }
 }
 
 bool Tidier::is_free(LocalPose from, std::span<const Segment> segments) {
@@ -80,22 +98,29 @@ bool Tidier::drop(std::size_t first, std::size_t last, double limit) {
       --high;
     }
   }
-  const std::span<const Segment> old = std::span(segments_).subspan(low, high - low);
-  Segments rest(old.begin(), old.end());
+  const std::span<const Segment> all(segments_);
+  const std::span<const Segment> around = all.subspan(low, high - low);
+  Segments rest(around.begin(), around.end());
   base::splice(rest, first - low, last - low, {});
-  const LocalPose from = pose_before(low);
   rest = merged(rest);
   const std::optional<Segments> mended =
-      steering::mended(from, pose_before(high), rest, steering::on_the_way);
+      steering::mended(poses_[low], poses_[high], rest, steering::on_the_way);
   if (!mended) return false;
   // With fewer segments the curvature could jump.
   if (is_continuous_ && mended->size() != rest.size()) return false;
-  Segments trial = segments_;
-  base::splice(trial, low, high, *mended);
-  trial = merged(trial);
-  if (trial.size() >= segments_.size() || cost(trial) > limit) return false;
-  if (!is_free(from, *mended)) return false;
-  segments_ = std::move(trial);
+  // The segments on either side may merge with what is new.
+  const std::size_t begin = low - std::min<std::size_t>(low, 1);
+  const std::size_t end = std::min(high + 1, segments_.size());
+  const std::span<const Segment> old = all.subspan(begin, end - begin);
+  Segments changed(old.begin(), old.end());
+  base::splice(changed, low - begin, high - begin, *mended);
+  changed = merged(changed);
+  if (changed.size() >= old.size()) return false;
+  const double cost = cost_ - cost_between(begin, end, old) + cost_between(begin, end, changed);
+  if (cost > limit || !is_free(poses_[low], *mended)) return false;
+  base::splice(segments_, begin, end, changed);
+  cost_ = cost;
+  take_poses(begin);
   return true;
 }
 
@@ -119,7 +144,7 @@ std::size_t Tidier::end_of_crumbs(std::size_t first) const {
 
 // Leaves out crumbs, the shortest first, until none can go.
 void Tidier::drop_crumbs() {
-  const double limit = (1 + commands::crumb_slack) * cost(segments_);
+  const double limit = (1 + commands::crumb_slack) * cost_;
   bool dropped = true;
   while (dropped) {
     std::vector<std::size_t> crumbs;
