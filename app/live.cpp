@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include "commands.h"
 #include "endings.h"
@@ -18,6 +20,7 @@
 #include "vandplan/input_error.h"
 #include "vandplan/planner.h"
 #include "vandplan/recording.h"
+#include "vandplan/site_table.h"
 #include "wording.h"
 
 namespace vandplan::app {
@@ -44,6 +47,19 @@ InputError renamed_live(const InputError& error) {
   return error;
 }
 
+/// A table of the site to the goals of a scenario, as if nothing moved.
+std::shared_ptr<ChangingSiteTable> live_site(Scenario scenario, const PlanOptions& options) {
+  scenario.moving.clear();
+  try {
+    const Problem problem = make_problem(scenario);
+    const PlanOptions all = complete(default_planner(), options, problem.vehicle());
+    const std::vector<Pose> goals = site_goals(problem, all).poses;
+    return std::make_shared<ChangingSiteTable>(problem, goals, all);
+  } catch (const InputError& error) {
+    throw InputError("--site", fmt::format("{}: {}", error.where(), error.problem()));
+  }
+}
+
 LiveDriveOptions live_options(const ScenarioFile& file, const LiveArguments& arguments,
                               const DriveOptions& drive) {
   LiveDriveOptions options;
@@ -59,6 +75,7 @@ LiveDriveOptions live_options(const ScenarioFile& file, const LiveArguments& arg
     throw InputError("--prediction",
                      "is \"" + arguments.prediction + "\", expected known or constant-velocity");
   }
+  if (arguments.with_site) options.replan.site = live_site(file.scenario, options.replan.plan);
   return options;
 }
 
@@ -303,6 +320,11 @@ void add_live_options(CLI::App& command, LiveArguments& arguments, bool is_one) 
       .add_option("--horizon", arguments.horizon, "Horizon of constant-velocity [s]; 0.1 to 100")
       ->type_name("S")
       ->capture_default_str()
+      ->needs(replan);
+  command
+      .add_flag("--site", arguments.with_site,
+                "Make a table of the site, begin plans with its way, and repair it\n"
+                "where the ground turns out to be different")
       ->needs(replan);
   if (!is_one) return;
   CLI::Option* const actions =

@@ -19,6 +19,7 @@ struct LiveArguments {
   std::optional<double> sensor_range;  ///< range of the sensor [m]; none: all is known
   std::string prediction = "known";
   double horizon = LiveDriveOptions{}.horizon;  ///< horizon of the prediction [s]
+  bool with_site = false;                       ///< whether plans begin with a table of the site
   std::optional<std::string> actions;           ///< file of planned actions; none: not written
   double rate = 50.0;                           ///< actions per second [1/s]
   std::vector<TypedOption> options;

@@ -293,6 +293,30 @@ TEST_F(ReplanCommand, RefusesWhatIsWrongAndLeavesFilesAlone) {
   EXPECT_EQ(content_of(csv_), "mine");
 }
 
+TEST_F(ReplanCommand, PlansWithATableOfTheSite) {
+  write_content(scenario_, yard());
+  const std::vector<std::string> few = {"--site", "--set", "max_iterations=1", "--json"};
+  for (const std::vector<std::string>& sensor :
+       {std::vector<std::string>{}, std::vector<std::string>{"--sensor-range", "12"}}) {
+    std::vector<std::string> options = few;
+    options.insert(options.end(), sensor.begin(), sensor.end());
+    const Outcome outcome = replan(options);
+    ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+    EXPECT_EQ(Json::parse(outcome.out).at("ticks_without_goal"), 0) << outcome.out;
+  }
+  const Outcome without = replan({"--set", "max_iterations=1", "--json"});
+  EXPECT_GT(Json::parse(without.out).at("ticks_without_goal"), 0) << without.out;
+}
+
+TEST_F(ReplanCommand, SaysWhyThereIsNoTableOfTheSite) {
+  const Outcome timed = replan({"--site", "--set", "cost=time"});
+  EXPECT_EQ(timed.status, 2);
+  EXPECT_EQ(timed.err.find("vandplan: --site: cost: "), 0u) << timed.err;
+  const Outcome alone = run_vandplan({"drive", scenario_, "--site"});
+  EXPECT_EQ(alone.status, 2);
+  EXPECT_NE(alone.err.find("--site requires --replan"), std::string::npos) << alone.err;
+}
+
 /// A street for a semitrailer, with a box on its way.
 constexpr const char* street_of_rig = R"(name: street
 vehicle: tractor-semitrailer
