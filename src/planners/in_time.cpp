@@ -153,7 +153,7 @@ class InTimeRun {
     detour_ = &sources_.emplace_back(
         Source{.ghosts = {}, .task = alone.task, .detour = *std::move(detour)});
     if (path.empty()) return;
-    detour_->path = std::move(path);
+    detour_->path = refuges_->tidied(std::move(path));
     consider(*detour_, detour_->path, true);
   }
 
@@ -220,6 +220,7 @@ class InTimeRun {
   /// Looks for times along the path of a source, if that is a new path that may win.
   void offer(Source& source) {
     std::optional<std::vector<Segment>> path = source.search->path();
+    if (path && source.detour) path = refuges_->tidied(*std::move(path));
     if (!path || *path == source.path) return;
     source.path = *std::move(path);
     source.is_cut_off = false;

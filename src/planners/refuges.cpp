@@ -12,6 +12,7 @@
 
 #include "base/trigonometry.h"
 #include "moving/encounters.h"
+#include "planners/anytime/finish.h"
 #include "planners/drive_time.h"
 #include "search/route.h"
 #include "vandplan/steering.h"
@@ -237,6 +238,11 @@ std::optional<std::vector<Segment>> Refuges::way_onward(const Path& path, double
     return way;
   }
   return std::nullopt;
+}
+
+std::vector<Segment> Refuges::tidied(std::vector<Segment> path) {
+  if (task_.vehicle.trailer) return path;
+  return anytime::tidied(connector_, task_.start, std::move(path));
 }
 
 /// Whether no obstacle comes to the pose from the vehicle's earliest arrival until the passing

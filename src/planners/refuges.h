@@ -36,6 +36,9 @@ class Refuges {
   /// The shortest detour via a few random poses beside the path, where obstacle `passing` can go
   /// by. It leaves the path before the pose and comes back behind it. None if no pose will do.
   [[nodiscard]] std::optional<Detour> draw(const Path& path, std::size_t passing);
+  /// A path along a detour without crumbs, which stay where its parts are joined. With a trailer
+  /// the path stays as it is.
+  [[nodiscard]] std::vector<Segment> tidied(std::vector<Segment> path);
   /// Iterations so far: tries to leave the path or to come back to it.
   [[nodiscard]] std::int64_t iterations() const { return draws_ + connector_.solves(); }
 

@@ -485,6 +485,37 @@ TEST(Refuges, LeaveAndJoinAPathWithoutAJumpOfTheCurvatureWhereTheVehicleRolls) {
   EXPECT_GT(changes, 0);  // some leave the path behind its beginning
 }
 
+TEST(Refuges, LeaveNoCrumbsWhereTheyLeaveAPathOrComeBack) {
+  const double lock = 1 / default_radius;
+  const double rate = max_curvature_rate(Vehicle{});
+  const Path path{{0, 0, 0},
+                  {{0, lock / rate, rate}, {lock, 0.02}, {lock, lock / rate, -rate}, {0, 50}}};
+  const std::vector<MovingObstacle> afar = {
+      {.outline = car, .trajectory = {{0, {90, 90, 0}}, {60, {-90, 90, 0}}}}};
+  const Problem problem = with_moving(problem_of_path({.bounds = {-99, 99, -99, 99}}, path), afar);
+  const Task task = task_of(problem, {}, Steering::continuous_between_stops);
+  const PlanOptions options = complete(default_planner());
+  in_time::Refuges refuges(task, search::cost_rule(options.cost), options);
+  const auto crumbs = [](const std::vector<Segment>& segments) {
+    return std::ranges::count_if(
+        segments, [](const Segment& segment) { return std::abs(segment.length) < 0.05; });
+  };
+  std::ptrdiff_t before = 0, after = 0;
+  for (int draw = 0; draw < 40; ++draw) {
+    const auto detour = refuges.draw({task.start, path.segments}, 0);
+    if (!detour) continue;
+    std::vector<Segment> way = detour->there;
+    way.insert(way.end(), detour->onward.begin(), detour->onward.end());
+    const std::vector<Segment> tidied = refuges.tidied(way);
+    before += crumbs(way);
+    after += crumbs(tidied);
+    const Pose end = end_pose({path.start, tidied});
+    EXPECT_LT(std::hypot(end.x - problem.goal().x, end.y - problem.goal().y), 1e-6);
+  }
+  EXPECT_GT(before, 20);
+  EXPECT_LT(after, before / 2);  // some cost too much to leave out
+}
+
 TEST(PlanInTime, GoesOnWithoutADriveUntilTheBudgetIsSpent) {
   // A wall comes along the road and over the lay-by.
   MovingObstacle wall = oncoming;
