@@ -29,7 +29,7 @@ Request request_of(const FreespaceParameters& parameters, const FreespaceVehicle
       {"allow_unknown", false},
       {"lethal_cost", std::int64_t{parameters.obstacle_threshold}},
       {"time_limit", parameters.time_limit / 1000.0},
-      {"reverse_weight", std::max(parameters.reverse_weight, 1.0)},
+      {"reverse_weight", 1.0 + std::max(parameters.reverse_weight, 0.0)},
       {"gear_change_cost", std::max(parameters.direction_change_weight, 0.0)}};
   const auto cost = own.find("cost");
   if (cost != own.end() && cost->second == OptionValue(std::string("time"))) {

@@ -14,7 +14,7 @@ namespace vandplan::ros {
 /// What of Autoware's `PlannerCommonParam` means something here, with its names and units.
 struct FreespaceParameters {
   double time_limit = 30000.0;           ///< [ms]
-  double reverse_weight = 2.0;           ///< cost of a metre in reverse [m]; below 1 it counts as 1
+  double reverse_weight = 0.7;           ///< what a metre in reverse costs more [m]; at least 0
   double direction_change_weight = 1.5;  ///< cost of a gear change [m]; at least 0
   double lateral_goal_range = 0.0;       ///< whole width of the goal's box [m]
   double longitudinal_goal_range = 0.0;  ///< whole length of the goal's box [m]

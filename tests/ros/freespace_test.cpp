@@ -43,13 +43,13 @@ TEST(RosFreespace, ParametersOfAutowareAreOptions) {
                                       .obstacle_threshold = 70},
                                      car);
   EXPECT_EQ(request.options.budget.time_limit, 1.5);
-  EXPECT_EQ(request.options.cost.reverse_weight, 3.0);
+  EXPECT_EQ(request.options.cost.reverse_weight, 4.0) << "Autoware's is on top of the metre";
   EXPECT_EQ(request.options.cost.gear_change_cost, 4.0);
   EXPECT_EQ(request.slack.ahead, 1.0);
   EXPECT_EQ(request.slack.aside, 0.25);
   EXPECT_NEAR(request.slack.heading, 6 * std::numbers::pi / 180, 1e-12);
   EXPECT_EQ(request.cost_rule, (CostRule{.lethal_cost = 70, .allow_unknown = false}));
-  const Request low = request_of({.reverse_weight = 0.5, .direction_change_weight = -1}, car);
+  const Request low = request_of({.reverse_weight = -0.5, .direction_change_weight = -1}, car);
   EXPECT_EQ(low.options.cost.reverse_weight, 1.0);
   EXPECT_EQ(low.options.cost.gear_change_cost, 0.0);
 }
