@@ -25,10 +25,12 @@ Vehicle vehicle_of(const FreespaceVehicle& shape, double max_turning_ratio,
 
 Request request_of(const FreespaceParameters& parameters, const FreespaceVehicle& shape,
                    const Parameters::Values& own) {
+  const double longest = parameters.time_limit / 1000.0;
+  const double usual = std::min(longest, default_time_limit);
   Parameters::Values given = {
       {"allow_unknown", false},
       {"lethal_cost", std::int64_t{parameters.obstacle_threshold}},
-      {"time_limit", parameters.time_limit / 1000.0},
+      {"time_limit", usual},
       {"reverse_weight", 1.0 + std::max(parameters.reverse_weight, 0.0)},
       {"gear_change_cost", std::max(parameters.direction_change_weight, 0.0)}};
   const auto cost = own.find("cost");
@@ -45,7 +47,8 @@ Request request_of(const FreespaceParameters& parameters, const FreespaceVehicle
                     .heading = parameters.angle_goal_range / 2 * std::numbers::pi / 180},
           .vehicle = vehicle_of(shape, parameters.max_turning_ratio, values.chassis().limits),
           .cost_rule = values.cost_rule(),
-          .options = values.options()};
+          .options = values.options(),
+          .patience = own.count("time_limit") == 0 ? longest - usual : 0.0};
 }
 
 std::vector<Waypoint> waypoints_of(std::span<const PathPose> poses) {

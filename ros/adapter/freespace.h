@@ -13,7 +13,7 @@ namespace vandplan::ros {
 
 /// What of Autoware's `PlannerCommonParam` means something here, with its names and units.
 struct FreespaceParameters {
-  double time_limit = 30000.0;           ///< [ms]
+  double time_limit = 30000.0;           ///< longest time to wait for a path [ms]
   double reverse_weight = 0.7;           ///< what a metre in reverse costs more [m]; at least 0
   double direction_change_weight = 1.5;  ///< cost of a gear change [m]; at least 0
   double lateral_goal_range = 0.0;       ///< whole width of the goal's box [m]
@@ -55,7 +55,9 @@ FreespaceVehicle freespace_vehicle(const From& from) {
                                  const DrivingLimits& limits = {});
 
 /// A wish for a path with Autoware's parameters; values that `own` sets beyond its defaults take
-/// precedence. Throws InputError as `vehicle_of` and `Parameters::set`.
+/// precedence. A search of Autoware ends with its first path, long before its time limit: here a
+/// path is improved until `default_time_limit`, or as long as `own` says. Throws InputError as
+/// `vehicle_of` and `Parameters::set`.
 [[nodiscard]] Request request_of(const FreespaceParameters& parameters,
                                  const FreespaceVehicle& shape, const Parameters::Values& own = {});
 

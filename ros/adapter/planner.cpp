@@ -15,6 +15,7 @@ namespace vandplan::ros {
 namespace {
 
 constexpr int headings_at_via = 16;  // headings that are tried at a via point with any heading
+constexpr double any_gap = 1000.0;   // proven gap that every path has
 
 /// Whether the point of a pose lies on the costmap.
 bool is_on(const Costmap& costmap, const Pose& pose) {
@@ -156,11 +157,11 @@ Answer Planner::planned(const Request& request) {
   // 3. The path, to the goals or beside them.
   Answer answer;
   Goals goals = goals_of(request);
-  PlanResult result = result_to(request, goals.regions);
+  PlanResult result = patient_result_to(request, goals.regions);
   answer.planning_time = result.time_total;
   if (result.status == PlanStatus::goal_in_collision && request.slack != GoalSlack{}) {
     goals = goals_beside(request);
-    result = result_to(request, goals.regions);
+    result = patient_result_to(request, goals.regions);
     answer.planning_time += result.time_total;
     answer.used_slack = true;
   }
@@ -231,6 +232,21 @@ PlanResult Planner::result_to(const Request& request, const std::vector<GoalRegi
       vandplan::plan(with_via(problem, vias_of(request, true)), planner, options);
   with_stops.time_total += through.time_total;
   return with_stops;
+}
+
+// Plans until the time limit, and then, if there is no path, to the first one.
+PlanResult Planner::patient_result_to(const Request& request,
+                                      const std::vector<GoalRegion>& goals) const {
+  PlanResult result = result_to(request, goals);
+  const bool is_late = result.status == PlanStatus::time_limit && request.patience > 0.0;
+  if (!is_late || request.stop.stop_requested()) return result;
+  Request longer = request;
+  longer.options.budget.time_limit = request.patience;
+  longer.options.budget.target_gap = any_gap;
+  const double before = result.time_total;
+  result = result_to(longer, goals);
+  result.time_total += before;
+  return result;
 }
 
 bool Planner::is_blocked(std::span<const Pose> poses, const Vehicle& vehicle,

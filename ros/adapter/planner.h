@@ -54,6 +54,8 @@ struct Request {
   double rear_axle = 0.0;  ///< x of the rear axle in the frame base_link [m]
   CostRule cost_rule = {};
   PlanOptions options = {};
+  /// If the time limit passes without a path, the call waits so much longer for its first one [s].
+  double patience = 0.0;
   std::stop_token stop = {};  ///< when this is asked to stop, the call is cancelled
 };
 
@@ -101,6 +103,7 @@ class Planner {
   Answer planned(const Request& request);
   std::optional<Answer> refusal(const Request& request) const;
   PlanResult result_to(const Request& request, const std::vector<GoalRegion>& goals) const;
+  PlanResult patient_result_to(const Request& request, const std::vector<GoalRegion>& goals) const;
   bool renew_world(const CostRule& rule, const Point& near, const std::stop_token& stop);
   bool is_built(const std::stop_token& stop);
 

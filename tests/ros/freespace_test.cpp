@@ -42,7 +42,8 @@ TEST(RosFreespace, ParametersOfAutowareAreOptions) {
                                       .angle_goal_range = 12,
                                       .obstacle_threshold = 70},
                                      car);
-  EXPECT_EQ(request.options.budget.time_limit, 1.5);
+  EXPECT_EQ(request.options.budget.time_limit, 1.0);
+  EXPECT_EQ(request.patience, 0.5);
   EXPECT_EQ(request.options.cost.reverse_weight, 4.0) << "Autoware's is on top of the metre";
   EXPECT_EQ(request.options.cost.gear_change_cost, 4.0);
   EXPECT_EQ(request.slack.ahead, 1.0);
@@ -69,6 +70,18 @@ TEST(RosFreespace, AVehicleIsDescribedInEitherWay) {
     EXPECT_EQ(made.max_steering, 0.6);
     EXPECT_EQ(made.base2back, 1.1);
   }
+}
+
+TEST(RosFreespace, TheTimeLimitIsForTheFirstPath) {
+  const Request usual = request_of({}, car);
+  EXPECT_EQ(usual.options.budget.time_limit, 1.0);
+  EXPECT_EQ(usual.patience, 29.0);
+  const Request hasty = request_of({.time_limit = 300}, car);
+  EXPECT_EQ(hasty.options.budget.time_limit, 0.3);
+  EXPECT_EQ(hasty.patience, 0.0);
+  const Request own = request_of({}, car, {{"time_limit", 5.0}});
+  EXPECT_EQ(own.options.budget.time_limit, 5.0);
+  EXPECT_EQ(own.patience, 0.0);
 }
 
 TEST(RosFreespace, OwnValuesTakePrecedence) {

@@ -89,6 +89,18 @@ TEST(RosPlanner, SaysWhenThereIsNoPathOrNoTime) {
   EXPECT_EQ(answer_to(late).outcome, Outcome::timed_out);
 }
 
+TEST(RosPlanner, WaitsForTheFirstPathAsLongAsItsPatienceLasts) {
+  Request request = small_request(left, right);
+  request.options.budget = {.time_limit = 0.0};
+  EXPECT_EQ(answer_to(request).outcome, Outcome::timed_out);
+  request.patience = 1000.0;
+  EXPECT_EQ(answer_to(request).outcome, Outcome::solved) << "soon, with its first path";
+  std::stop_source source;
+  source.request_stop();
+  request.stop = source.get_token();
+  EXPECT_EQ(answer_to(request).outcome, Outcome::cancelled);
+}
+
 TEST(RosPlanner, AWrongRequestIsInvalid) {
   const auto message = [](const Request& request) {
     const Answer answer = answer_to(request);
