@@ -83,7 +83,7 @@ TEST(RosCancel, APathIsNotWantedAnyMore) {
   EXPECT_EQ(planner.plan(request).outcome, Outcome::solved) << "the last whole path is kept";
 }
 
-// Storms of cancels: 2000 calls, each cancelled after a random time by another thread, while the
+// Storms of cancels: 1000 calls, each cancelled after a random time by another thread, while the
 // costmap changes between them. Whatever is cancelled, the planner stays in order.
 TEST(RosCancel, AStormOfCancelsLeavesThePlannerInOrder) {
   Rng rng(17);
