@@ -18,7 +18,7 @@ namespace {
 constexpr Real passed_tolerance = 1e-6;          // tolerance of places [m] and angles [rad]
 constexpr Real stated_passing_tolerance = 1e-5;  // tolerance of stated, rounded numbers [m, rad]
 constexpr Real stop_slack = 1e-9;                // rounding of the driven distance of a stop [m]
-constexpr Real finest = 1e-7;                    // half of the shortest part that is looked at [m]
+constexpr Real finest = 1e-7;  // change within half of the shortest part that is looked at [m, rad]
 
 /// Place where a segment begins, or the end of a track.
 struct Joint {
@@ -67,13 +67,16 @@ class Passing {
       const bool is_at_end = end - *t <= 3 * passed_tolerance && is_in({i, end}, passed_tolerance);
       return Place{i, is_at_end ? end : *t};
     }
-    return std::nullopt;
+    const Place end = end_of(track_);
+    return is_in(end, passed_tolerance) ? std::optional(end) : std::nullopt;
   }
 
  private:
   /// By how much place, heading and hitch angle may change near a place [m, rad].
   struct Slack {
     Real place = 0, turn = 0, fold = 0;
+
+    [[nodiscard]] Real largest() const { return std::max({place, turn, fold}); }
   };
 
   [[nodiscard]] bool may_be_in(const Place& place, Real allowed, const Slack& change) const {
@@ -98,14 +101,15 @@ class Passing {
     return {half * place, half * std::max(turn, swing), half * (turn + swing)};
   }
 
-  /// First place between two on a stretch.
+  /// First place between two on a stretch. The tighter the vehicle turns, the shorter are the
+  /// shortest parts: else it would turn by more than the tolerance in one of them.
   [[nodiscard]] std::optional<Real> first_between(std::size_t i, Real begin, Real end) const {
     const Real half = (end - begin) / 2;
     const Real middle = begin + half;
-    if (!may_be_in({i, middle}, passed_tolerance, slack_of(track_.stretches[i], half))) {
-      return std::nullopt;
-    }
-    if (half <= finest) {
+    const Slack change = slack_of(track_.stretches[i], half);
+    if (!may_be_in({i, middle}, passed_tolerance, change)) return std::nullopt;
+    const bool can_be_halved = begin < middle && middle < end;  // numbers have digits left
+    if (change.largest() <= finest || !can_be_halved) {
       return is_in({i, middle}, passed_tolerance) ? std::optional(middle) : std::nullopt;
     }
     const std::optional<Real> t = first_between(i, begin, middle);

@@ -41,6 +41,21 @@ TEST(JudgeOfVias, FindsWhereAPathPassesThem) {
   });
 }
 
+// In a tenth of a micrometre such a vehicle turns by more than the tolerance.
+TEST(JudgeOfVias, FindsWhereATinyVehiclePassesThem) {
+  for_each_case(2602, 200, [](Rng& rng) {
+    const double radius = any_size(1e-4, 0.2, rng);
+    const Vehicle tiny{radius / 3, radius / 3, radius / 3, radius / 3, radius};
+    const Path path{{}, {{1 / radius, 4 * radius}, {-1 / radius, -3 * radius}}};
+    const double s = uniform(0, length(path), rng);
+    const Problem problem = along(path, {at(pose_at(path, s)), at(end_pose(path))}, tiny);
+    const PathCheck check = check_path(problem, path);
+    ASSERT_TRUE(check.valid) << check.reason;
+    EXPECT_NEAR(check.via[0].s, s, 3e-6 * radius);
+    EXPECT_NEAR(check.via[1].s, length(path), 3e-6 * radius);
+  });
+}
+
 TEST(JudgeOfVias, NamesTheOneThatIsMissed) {
   const auto reason = [](const std::vector<Via>& via) {
     return check_path(along(bend, via), bend).reason;
@@ -52,6 +67,8 @@ TEST(JudgeOfVias, NamesTheOneThatIsMissed) {
   EXPECT_EQ(reason({at({5, 0, 0}), at({4, 0, 0})}), "the path does not pass via[1] behind via[0]");
   EXPECT_EQ(reason({at({5, 0, 0}), at({5, 0, 0})}), "");
   EXPECT_EQ(reason({at({}), at(end_pose(bend))}), "");
+  EXPECT_EQ(reason({at(compose(end_pose(bend), {-0.99e-6, 0, 0}))}), "");  // ends short of it
+  EXPECT_NE(reason({at(compose(end_pose(bend), {-1.01e-6, 0, 0}))}), "");
 }
 
 TEST(JudgeOfVias, FindsWhereARegionIsEntered) {
@@ -191,6 +208,31 @@ TEST(JudgeOfVias, FollowsTrailers) {
   ASSERT_TRUE(check(state.hitch_angle).valid) << check(state.hitch_angle).reason;
   EXPECT_NEAR(check(state.hitch_angle).via[0].s, 9, 1e-4);
   EXPECT_FALSE(check(state.hitch_angle + 1e-4).valid);
+}
+
+// The hitch angle of so short a trailer changes quickly, also on a straight line.
+TEST(JudgeOfVias, FollowsTinyTrailers) {
+  const Vehicle rig{.wheelbase = 0.036,
+                    .front_overhang = 0.014,
+                    .rear_overhang = 0.009,
+                    .width = 0.025,
+                    .min_turning_radius = 0.06,
+                    .trailer = Trailer{0.02, 0.001, 0.01, 0.025}};
+  const Path path{{}, {{0.0, 0.1}}};
+  for_each_case(2603, 20, [&](Rng& rng) {
+    const double start_angle = any_sign(uniform(0.2, 0.6, rng), rng);
+    const double s = uniform(0, 0.05, rng);
+    const double angle = hitch_angle_after(rig, start_angle, {0.0, s});
+    Scenario scenario{.vehicle = rig,
+                      .bounds = wide_bounds,
+                      .goal = end_pose(path),
+                      .via = {at(pose_at(path, s))}};
+    scenario.hitch_angles = {start_angle, hitch_angle_after(rig, start_angle, path.segments[0])};
+    scenario.via[0].any_of[0].hitch_angle = {angle, angle};
+    const PathCheck check = check_path(make_problem(scenario), path);
+    ASSERT_TRUE(check.valid) << check.reason;
+    EXPECT_NEAR(check.via[0].s, s, 3e-6);
+  });
 }
 
 TEST(JudgeOfVias, HoldsStatedPlacesToThePath) {

@@ -89,6 +89,11 @@ TEST(NastyWorlds, RollIntoTheStraightEnd) {
   for (const std::string& fault : try_world_of_goals(501410).faults) ADD_FAILURE() << fault;
 }
 
+// The path ends in its via, and turns so tightly that the judge must look at shorter parts.
+TEST(NastyWorlds, PassViasInTightTurns) {
+  for (const std::string& fault : try_world_of_goals(907167).faults) ADD_FAILURE() << fault;
+}
+
 // A mask has cells that are crossed very slowly, and left quickly: the judge samples near both.
 TEST(NastyWorlds, LeaveSlowCellsQuickly) {
   for (const std::string& fault : try_world_of_zones(5000205).faults) ADD_FAILURE() << fault;
