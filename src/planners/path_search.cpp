@@ -32,8 +32,10 @@ class Restarted final : public PathSearch {
       sample.time += begun;
       sample.iteration += iterations_;
     }
-    const bool goes_on = next.status == PlanStatus::iteration_limit ||
-                         (next.segments && next.iterations >= *options.budget.max_iterations);
+    // A round without an iteration found nothing to do, and so would the next one.
+    const bool is_cut_short = next.status == PlanStatus::iteration_limit ||
+                              (next.segments && next.iterations >= *options.budget.max_iterations);
+    const bool goes_on = is_cut_short && next.iterations > 0;
     round_ *= 2;
     iterations_ += next.iterations;
     if (next.segments || !answer_.segments) answer_ = std::move(next);

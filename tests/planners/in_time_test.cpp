@@ -527,6 +527,19 @@ TEST(PlanInTime, GoesOnWithoutADriveUntilTheBudgetIsSpent) {
   EXPECT_EQ(result.iterations, 12'000);
 }
 
+TEST(PlanInTime, EndsWhereSomebodyComesToTheStartThatIsAGoalOfASet) {
+  const MovingObstacle over_the_start{.outline = car,
+                                      .trajectory = {{20, {-30, 0, 0}}, {60, {30, 0, 0}}},
+                                      .after = Afterwards::leaves};
+  const Problem problem =
+      with_goal_set(street_among({over_the_start}), {region_of_pose({0, 0, 0})});
+  PlanOptions options;
+  options.budget.max_iterations = 1'000;
+  const PlanResult result = plan(problem, options);
+  EXPECT_EQ(result.status, PlanStatus::iteration_limit);
+  EXPECT_FALSE(result.path);
+}
+
 TEST(PlanInTime, LooksForDrivesThatWaitLittleFirst) {
   // Every 8 s a car crosses, for five minutes.
   std::vector<MovingObstacle> stream;
