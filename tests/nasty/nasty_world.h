@@ -27,4 +27,8 @@ namespace vandplan::nasty {
 /// One of these three with zones of all kinds, and masks, some of which lie on start or goal.
 [[nodiscard]] Scenario nasty_world_of_zones(std::uint64_t seed);
 
+/// One of these four in which one to four obstacles move: along the way to the goal, across it, out
+/// of it, to and fro about a place, or wildly; some grow.
+[[nodiscard]] Scenario nasty_world_of_movers(std::uint64_t seed);
+
 }  // namespace vandplan::nasty

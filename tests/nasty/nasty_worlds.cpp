@@ -21,15 +21,15 @@ namespace {
 using vandplan::nasty::Trial;
 
 constexpr const char* usage =
-    "usage: nasty_worlds [--patient | --rigs | --goals | --zones] FROM COUNT [JOBS]\n"
+    "usage: nasty_worlds [--patient | --rigs | --goals | --zones | --movers] FROM COUNT [JOBS]\n"
     "       nasty_worlds --save SEED FOLDER\n\n"
     "Tries the worlds FROM to FROM + COUNT - 1, JOBS at a time (1), and prints a line for each "
     "broken\n"
     "promise with the number that repeats it; exit status 1 if there is one. --rigs: "
     "with a\n"
-    "trailer; --goals: to sets of goals; --zones: with zones and masks; --patient: with 25 times "
-    "the iterations. --save writes a "
-    "world as a scenario file.\n";
+    "trailer; --goals: to sets of goals; --zones: with zones and masks; --movers: with moving "
+    "obstacles;\n"
+    "--patient: with 25 times the iterations. --save writes a world as a scenario file.\n";
 
 /// What all trials brought.
 struct Total {
@@ -92,6 +92,9 @@ int main(int argc, char** argv) {
     words.erase(words.begin());
   } else if (!words.empty() && words[0] == "--zones") {
     one = vandplan::nasty::try_world_of_zones;
+    words.erase(words.begin());
+  } else if (!words.empty() && words[0] == "--movers") {
+    one = vandplan::nasty::try_world_of_movers;
     words.erase(words.begin());
   } else if (!words.empty() && words[0] == "--patient") {
     one = vandplan::nasty::try_world_patiently;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 
+#include "nasty/naive_drive.h"
 #include "nasty/naive_judge.h"
 #include "nasty/naive_zones.h"
 #include "nasty/nasty_world.h"
@@ -22,6 +23,7 @@ constexpr int worlds = 250;
 constexpr int worlds_of_rigs = 60;
 constexpr int worlds_of_goals = 60;
 constexpr int worlds_of_zones = 16;
+constexpr int worlds_of_movers = 40;
 constexpr int patient_worlds = 16;
 
 /// What a share of the worlds brought, with a failure for each fault: `command` repeats it.
@@ -65,6 +67,11 @@ TEST_P(NastyWorlds, KeepNoPromiseToASetOfGoalsFromBeingKept) {
 TEST_P(NastyWorlds, KeepNoPromiseInZonesFromBeingKept) {
   const Share share(GetParam(), worlds_of_zones, try_world_of_zones, "nasty_worlds --zones");
   EXPECT_GE(share.paths, cases(worlds_of_zones) / 4);
+}
+
+TEST_P(NastyWorlds, KeepNoPromiseAmongMoversFromBeingKept) {
+  const Share share(GetParam(), worlds_of_movers, try_world_of_movers, "nasty_worlds --movers");
+  EXPECT_GE(share.paths, cases(worlds_of_movers) / 4);
 }
 
 TEST_P(NastyWorlds, KeepNoPromiseFromBeingKeptInTheLongRun) {
@@ -192,6 +199,41 @@ TEST(NaiveJudge, SeesCellsAndTheEndOfTheMap) {
   scenario.map = map_of();
   scenario.map->unknown_is_free = false;  // the start lies outside
   EXPECT_NE(naive_flaw(scenario, ten_metres), "");
+}
+
+/// What is wrong with a drive of ten metres in ten seconds, if from time `begin` on somebody drives
+/// across the way at x = 12, for 20 s.
+std::string flaw_past(double begin, double margin, double inflate = 0.0) {
+  Scenario scenario{.bounds = wide_bounds, .goal = {10, 0, 0}};
+  const MovingObstacle across{.outline = box(-1, -1, 1, 1),
+                              .trajectory = {{begin, {12, -20, 0}}, {begin + 20, {12, 20, 0}}},
+                              .after = Afterwards::leaves,
+                              .inflate = inflate};
+  scenario.moving = {across};
+  const SpeedProfile even{
+      .knots = {{.v = 1}, {.t = 10, .s = 10}}, .stops = {}, .duration = 10, .standing = 0};
+  return naive_flaw_of_drive(scenario, {ten_metres, even}, margin);
+}
+
+TEST(NaiveJudge, SeesWhoIsMet) {
+  EXPECT_NE(flaw_past(0, 0), "");
+  EXPECT_NE(flaw_past(30, 0), "") << "the vehicle stands in the way";
+  EXPECT_EQ(flaw_past(-20, 0), "") << "the other is gone before";
+  // The front is at x = 5.9 + t. The other is nearest when it has just passed: 2.7 m after 2.7 s.
+  EXPECT_EQ(flaw_past(-9, 0), "");
+  EXPECT_NE(flaw_past(-9, 3), "");
+  EXPECT_NE(flaw_past(-9, 0, 1), "");
+}
+
+TEST(NaiveJudge, SeesTimesThatAreWrong) {
+  Scenario scenario{.bounds = wide_bounds, .goal = {10, 0, 0}};
+  const auto flaw_of = [&](const std::vector<SpeedKnot>& knots) {
+    return naive_flaw_of_drive(
+        scenario, {ten_metres, {.knots = knots, .stops = {}, .duration = 10, .standing = 0}}, 0);
+  };
+  EXPECT_EQ(flaw_of({{.v = 1}, {.t = 10, .s = 10}}), "");
+  EXPECT_NE(flaw_of({{.v = 0.9}, {.t = 10, .s = 9}}), "");
+  EXPECT_NE(flaw_of({{.v = 2}, {.t = 5, .s = 10, .v = -1}, {.t = 6, .s = 9, .v = 0.25}}), "");
 }
 
 /// Ten metres straight on, over a zone.

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "nasty/naive_drive.h"
 #include "nasty/naive_judge.h"
 #include "nasty/naive_zones.h"
 #include "nasty/nasty_world.h"
@@ -51,6 +52,7 @@ class Judgement {
     if (!problem_) return {{}, true, 0};
     try_checker();
     try_planner(default_planner(), true);
+    if (!scenario_.moving.empty()) return std::move(trial_);
     for (int i = 0; i < 2 && can_be_steered(); ++i) try_planner(any_other(), false);
     if (known_ && !is_rig() && chance(0.3, rng_)) try_to_drive(*known_);
     if (bound_ > least_ * (1 + 1e-9) + leeway_) {
@@ -168,6 +170,7 @@ class Judgement {
     const std::string flaw = naive_flaw(scenario_, *result.path);
     if (!flaw.empty()) fault(planner.name + ", says the naive judge: " + flaw);
     expect_priced(planner, result);
+    if (!scenario_.moving.empty()) expect_unmet(options, result);
     for (const Segment& segment : result.path->segments) {
       const bool is_wrong = gears == AllowedGears::forward   ? segment.length < 0.0
                             : gears == AllowedGears::reverse ? segment.length > 0.0
@@ -175,6 +178,14 @@ class Judgement {
       if (is_wrong) fault(planner.name + " drives in a gear that is not allowed");
     }
     if (length(*result.path) < longest_written) expect_kept(planner, options, result);
+  }
+
+  /// The drive meets nobody.
+  void expect_unmet(const PlanOptions& options, const PlanResult& result) {
+    if (!result.speeds) return fault("a path among what moves, and no times");
+    const std::string flaw =
+        naive_flaw_of_drive(scenario_, {*result.path, *result.speeds}, options.clearance.margin);
+    if (!flaw.empty()) fault("the drive " + flaw);
   }
 
   /// If a path costs its length, zones and masks make it as much dearer as naive sums say.
@@ -208,7 +219,6 @@ class Judgement {
 
   /// The smoothed path is no dearer than the one given, and keeps to its vias.
   void try_to_smooth(const Path& path) {
-    if (!scenario_.moving.empty()) return;
     PlanOptions options = options_for(smoother(path, SmoothMethod::optimised));
     options.clearance = {};
     const Smoothed smoothed = smooth(*problem_, path, SmoothMethod::optimised, options);
@@ -251,6 +261,13 @@ class Judgement {
     const PathCheck check =
         check_path(make_problem(read.scenario), *records[0].result.path, records[0].claims);
     if (!check.valid) fault(planner.name + ": read again it is rejected: " + check.reason);
+    if (scenario_.moving.empty()) return;
+    const std::optional<SpeedProfile>& speeds = records[0].result.speeds;
+    if (!speeds) return fault("no times in the file");
+    const DriveCheck again =
+        check_drive(make_problem(read.scenario), {*records[0].result.path, *speeds},
+                    {options.clearance.margin});
+    if (!again.valid) fault("read again the times are rejected: " + again.reason);
   }
 
   /// The checker accepts nothing that is hit, and everything that is clear by its tolerance.
@@ -316,6 +333,11 @@ Trial try_world_of_a_rig(std::uint64_t seed) { return tried(nasty_world_of_a_rig
 Trial try_world_of_goals(std::uint64_t seed) { return tried(nasty_world_of_goals(seed), seed); }
 
 Trial try_world_of_zones(std::uint64_t seed) { return tried(nasty_world_of_zones(seed), seed); }
+
+Trial try_world_of_movers(std::uint64_t seed) {
+  constexpr int patience = 20;  // refuges are looked for after 1500 iterations
+  return tried(nasty_world_of_movers(seed), seed, patience);
+}
 
 std::string save_world(std::uint64_t seed, const std::string& folder) {
   Scenario scenario = nasty_world(seed);

@@ -33,6 +33,10 @@ struct Trial {
 /// The same as `try_world` with zones and masks, whose prices are held against naive sums.
 [[nodiscard]] Trial try_world_of_zones(std::uint64_t seed);
 
+/// Plans among moving obstacles with the default planner, on 1 and on 5 threads. The times of its
+/// drives are looked at by a second judge, too, and again when they were written and read.
+[[nodiscard]] Trial try_world_of_movers(std::uint64_t seed);
+
 /// The scenario of that world as a file (its map, if it has one, as MAP.yaml and MAP.pgm beside
 /// it), for `vandplan plan`. Returns the file's name.
 std::string save_world(std::uint64_t seed, const std::string& folder);
