@@ -15,6 +15,7 @@
 #include "planners/anytime/finish.h"
 #include "planners/drive_time.h"
 #include "search/route.h"
+#include "vandplan/search.h"
 #include "vandplan/steering.h"
 #include "vandplan/vehicle.h"
 
@@ -77,6 +78,11 @@ class Through final : public PathSearch {
     there.steering = onward.steering = Steering::continuous;
     there.curvatures.start = paths_[0].front().curvature;
     onward.curvatures.goal = search::last_driven(paths_[1].back()).curvature;
+    // Wheels that are turned further at the ends cannot be turned back on the way: the detour
+    // stays.
+    const double most = 1 / search::continuous_radius(task.vehicle);
+    has_failed_ =
+        std::max(std::abs(there.curvatures.start), std::abs(onward.curvatures.goal)) > most;
   }
 
   bool advance(std::int64_t most) override {

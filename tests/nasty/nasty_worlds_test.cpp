@@ -106,6 +106,11 @@ TEST(NastyWorlds, LeaveSlowCellsQuickly) {
   for (const std::string& fault : try_world_of_zones(5000205).faults) ADD_FAILURE() << fault;
 }
 
+// A detour begins with wheels that are turned further than continuous steering may.
+TEST(NastyWorlds, WaitBesideTheWayOfASharpStart) {
+  for (const std::string& fault : try_world_of_movers(2518).faults) ADD_FAILURE() << fault;
+}
+
 // A short path, where two rules for the sum of what is near were wrong by as much at a kink.
 TEST(NastyWorlds, SumWhatIsNearAlikeOnAShortPath) {
   for (const std::string& fault : try_world(30020567).faults) ADD_FAILURE() << fault;
