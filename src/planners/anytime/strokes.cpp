@@ -24,6 +24,9 @@ constexpr double worth_it = 0.25;
 constexpr double rounding = 1e-7;           // a stroke that lacks less is long enough [m]
 constexpr std::size_t tries_of_stroke = 4;  // most changes, for each stroke of the given route
 constexpr std::size_t legs_beside = 2;      // legs on either side that are steered anew at most
+/// Strokes before a changed one that the change may concern: two legs that are steered anew, and
+/// the strokes that steer these anew.
+constexpr std::size_t strokes_beside = 5;
 constexpr std::size_t segments_of_short_leg = 3;
 
 /// Legs of one gear: [first, last).
@@ -179,11 +182,12 @@ void Lengthener::try_later(std::size_t cusp, double by) {
 // Makes short strokes longer. A longer stroke may make another one shorter, so tries are limited.
 Route Lengthener::lengthened() {
   bool changed = true;
+  std::size_t next = 0;  // strokes before this one cannot be made longer
   for (std::size_t tries = tries_of_stroke * strokes_of(route_).size(); changed && tries > 0;
        --tries) {
     const std::vector<LegStroke> strokes = strokes_of(route_);
     changed = false;
-    for (std::size_t k = 0; k < strokes.size() && strokes.size() > 1 && !changed; ++k) {
+    for (std::size_t k = next; k < strokes.size() && strokes.size() > 1 && !changed; ++k) {
       const LegStroke& stroke = strokes[k];
       const double lack = lack_of(stroke, least_);
       if (lack == 0.0) continue;
@@ -196,7 +200,9 @@ Route Lengthener::lengthened() {
         if (k + 1 < strokes.size()) try_later(stroke.last, share * lack);
       }
       changed = best_.has_value();
-      if (best_) route_ = *std::move(best_);
+      if (!best_) continue;
+      route_ = *std::move(best_);
+      next = k - std::min(k, strokes_beside);
     }
   }
   price(connector_, route_);
