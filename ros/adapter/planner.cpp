@@ -148,7 +148,7 @@ Answer Planner::planned(const Request& request) {
   if (request.goals.empty()) throw InputError("goals", "are none, expected at least one");
   for (const ViaPoint& via : request.viapoints) check_poses(request.start, via.pose);
   for (const Pose& pose : request.goals) check_poses(request.start, pose);
-  const Answer cancelled{Outcome::cancelled, "cancelled before planning"};
+  Answer cancelled{Outcome::cancelled, "cancelled before planning"};
   if (request.stop.stop_requested()) return cancelled;
   // 2. Can the robot be where it has to be?
   const Pose start = axle_pose(request.start, request.rear_axle);
@@ -223,7 +223,7 @@ PlanResult Planner::result_to(const Request& request, const std::vector<GoalRegi
   if (request.viapoints.empty()) return vandplan::plan(problem, planner, options);
   if (!budget.time_limit && !budget.max_iterations) budget.time_limit = default_time_limit;
   if (budget.time_limit) *budget.time_limit /= 2;
-  const PlanResult through =
+  PlanResult through =
       vandplan::plan(with_via(problem, vias_of(request, false)), planner, options);
   const bool is_at_fault = through.status == PlanStatus::start_in_collision ||
                            through.status == PlanStatus::goal_in_collision;
