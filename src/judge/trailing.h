@@ -24,6 +24,11 @@ class Trailing {
   /// Hitch angle: heading of the tractor less heading of the trailer, whole turns included [rad].
   [[nodiscard]] Real angle(const Place& place) const;
 
+  /// Change of the hitch angle per metre driven [rad/m].
+  [[nodiscard]] Real rate(const Place& place) const {
+    return rate(track_.stretches[place.stretch], place.t, angle(place));
+  }
+
   /// Midpoint of the trailer's axle, with the heading of the trailer.
   [[nodiscard]] Position position(const Place& place) const;
 

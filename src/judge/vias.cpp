@@ -91,14 +91,24 @@ class Passing {
     });
   }
 
-  /// Changes within `half` metres of a place on a stretch.
-  [[nodiscard]] Slack slack_of(const Stretch& stretch, Real half) const {
+  /// Changes within `half` metres of a place, on its stretch. Beside the place the hitch angle
+  /// changes at most by `bend` faster for each metre: a trailer that is nearly straight hardly
+  /// moves in line.
+  [[nodiscard]] Slack slack_of(const Place& place, Real half) const {
+    const Stretch& stretch = track_.stretches[place.stretch];
     const Real turn = steepest(stretch);
     if (trailing_ == nullptr) return {half, half * turn, 0};
+    const Real wheelbase = vehicle_.trailer->wheelbase;
     const Real hitch = std::abs(static_cast<Real>(vehicle_.hitch));
-    const Real swing = (1 + hitch * turn) / vehicle_.trailer->wheelbase;
-    const Real place = std::max<Real>(1, trailing_->speed(stretch, 0));
-    return {half * place, half * std::max(turn, swing), half * (turn + swing)};
+    const Real swing = (1 + hitch * turn) / wheelbase;
+    const Real bend = std::abs(stretch.rate) * (1 + hitch / wheelbase) + (turn + swing) * swing;
+    const Real rate = trailing_->rate(place);
+    const Real fold = std::min(turn + swing, std::abs(rate) + half * bend);
+    const Real turning = stretch.direction * curvature_at(stretch, place.t) - rate;
+    const Real turn_behind =
+        std::min(swing, std::abs(turning) + half * (bend + std::abs(stretch.rate)));
+    const Real way = std::max<Real>(1, trailing_->speed(stretch, 0));
+    return {half * way, half * std::max(turn, turn_behind), half * fold};
   }
 
   /// First place between two on a stretch. The tighter the vehicle turns, the shorter are the
@@ -106,7 +116,7 @@ class Passing {
   [[nodiscard]] std::optional<Real> first_between(std::size_t i, Real begin, Real end) const {
     const Real half = (end - begin) / 2;
     const Real middle = begin + half;
-    const Slack change = slack_of(track_.stretches[i], half);
+    const Slack change = slack_of({i, middle}, half);
     if (!may_be_in({i, middle}, passed_tolerance, change)) return std::nullopt;
     const bool can_be_halved = begin < middle && middle < end;  // numbers have digits left
     if (change.largest() <= finest || !can_be_halved) {

@@ -3,6 +3,7 @@
 // The judge finds where a path passes its vias, in their order, and the one that it misses.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -229,6 +230,46 @@ TEST(JudgeOfVias, FollowsTinyTrailers) {
                       .via = {at(pose_at(path, s))}};
     scenario.hitch_angles = {start_angle, hitch_angle_after(rig, start_angle, path.segments[0])};
     scenario.via[0].any_of[0].hitch_angle = {angle, angle};
+    const PathCheck check = check_path(make_problem(scenario), path);
+    ASSERT_TRUE(check.valid) << check.reason;
+    EXPECT_NEAR(check.via[0].s, s, 3e-6);
+  });
+}
+
+/// The state after driving a path from `from` to `to`, both from its start.
+State driven(const Vehicle& vehicle, State state, const Path& path, double from, double to) {
+  double begin = 0.0;
+  for (const Segment& segment : path.segments) {
+    const double size = std::abs(segment.length);
+    const double first = std::clamp(from - begin, 0.0, size);
+    const double last = std::clamp(to - begin, 0.0, size);
+    if (first < last) state = advance(vehicle, state, part_of(segment, first, last));
+    begin += size;
+  }
+  return state;
+}
+
+TEST(JudgeOfVias, FollowsTrailersThroughTurns) {
+  Vehicle rig{.wheelbase = 3.6,
+              .front_overhang = 1.4,
+              .rear_overhang = 0.9,
+              .width = 2.5,
+              .min_turning_radius = 6,
+              .trailer = Trailer{5.0, 0.1, 1.0, 2.5}};
+  for_each_case(2604, 60, [&](Rng& rng) {
+    rig.hitch = uniform(-0.5, 0.5, rng);
+    const double bent = any_sign(uniform(0.05, 0.15, rng), rng);
+    const double rate = uniform(0.02, 0.3, rng);
+    const double turns = 2 * std::abs(bent) / rate;
+    const Path path{{}, {{bent, 2}, {bent, turns, -std::copysign(rate, bent)}, {-bent, 3}}};
+    const double s = uniform(0, length(path), rng);
+    State state{path.start, uniform(-0.4, 0.4, rng)};
+    Scenario scenario{.vehicle = rig, .bounds = wide_bounds, .goal = end_pose(path)};
+    scenario.hitch_angles.start = state.hitch_angle;
+    state = driven(rig, state, path, 0, s);
+    scenario.via = {at(state.pose)};
+    scenario.via[0].any_of[0].hitch_angle = {state.hitch_angle, state.hitch_angle};
+    scenario.hitch_angles.goal = driven(rig, state, path, s, length(path)).hitch_angle;
     const PathCheck check = check_path(make_problem(scenario), path);
     ASSERT_TRUE(check.valid) << check.reason;
     EXPECT_NEAR(check.via[0].s, s, 3e-6);
