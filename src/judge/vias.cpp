@@ -147,10 +147,11 @@ using Worth = std::array<int, 3>;
 /// A place where a via is passed, the last one so far.
 struct Reached {
   Place place;
-  Real s = 0;            // driven distance to there [m]
-  Worth worth = {};      // of all stops so far
-  bool is_stop = false;  // whether the vehicle stands there for the via
-  std::size_t last = 0;  // number of the place where the via before is passed
+  Real s = 0;                       // driven distance to there [m]
+  Worth worth = {};                 // of all stops so far
+  bool is_stop = false;             // whether the vehicle stands there for the via
+  std::size_t last = 0;             // number of the place where the via before is passed
+  std::optional<Place> stood = {};  // last place where it stands for a via
 };
 
 /// Finds the places where a track passes its vias. It passes as many vias as possible. Of such
@@ -194,14 +195,17 @@ class AllPassings {
     for (std::size_t i = 0; i < before.size(); ++i) {
       const std::optional<Place> first = passing.first(before[i].place);
       if (!first) continue;
-      places.push_back({*first, driven(track_, *first), before[i].worth, via.stop, i});
+      const std::optional<Place>& stood = before[i].stood;
+      places.push_back(
+          {*first, driven(track_, *first), before[i].worth, via.stop, i, via.stop ? first : stood});
       for (const Joint* joint : inside) {
         if (joint->place < before[i].place) continue;
-        const bool is_new = !before[i].is_stop || joint->place != before[i].place;
+        const bool is_new = stood != joint->place;
         const auto [turns, standing, beginning] = before[i].worth;
         const Worth worth = {turns + static_cast<int>(joint->needs_stop && is_new),
                              standing + static_cast<int>(joint->stands), beginning + 1};
-        places.push_back({joint->place, driven(track_, joint->place), worth, true, i});
+        const Real s = driven(track_, joint->place);
+        places.push_back({joint->place, s, worth, true, i, joint->place});
       }
     }
     return best_of(std::move(places));

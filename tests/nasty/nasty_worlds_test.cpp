@@ -91,6 +91,11 @@ TEST(NastyWorlds, StandInTheViaWhereWheelsTurn) {
   for (const std::string& fault : try_world_of_goals(600136).faults) ADD_FAILURE() << fault;
 }
 
+// The last of three vias in one place is where wheels turn, not the place where the first one is.
+TEST(NastyWorlds, StandOnceForTwoViasAroundAThird) {
+  for (const std::string& fault : try_world_of_goals(964149).faults) ADD_FAILURE() << fault;
+}
+
 // A detour from the goal back must not turn the wheels where the vehicle rolls on.
 TEST(NastyWorlds, RollIntoTheStraightEnd) {
   for (const std::string& fault : try_world_of_goals(501410).faults) ADD_FAILURE() << fault;
