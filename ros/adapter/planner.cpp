@@ -223,8 +223,7 @@ PlanResult Planner::result_to(const Request& request, const std::vector<GoalRegi
   if (request.viapoints.empty()) return vandplan::plan(problem, planner, options);
   if (!budget.time_limit && !budget.max_iterations) budget.time_limit = default_time_limit;
   if (budget.time_limit) *budget.time_limit /= 2;
-  PlanResult through =
-      vandplan::plan(with_via(problem, vias_of(request, false)), planner, options);
+  PlanResult through = vandplan::plan(with_via(problem, vias_of(request, false)), planner, options);
   const bool is_at_fault = through.status == PlanStatus::start_in_collision ||
                            through.status == PlanStatus::goal_in_collision;
   if (through.path || is_at_fault || request.stop.stop_requested()) return through;
