@@ -15,6 +15,7 @@
 #include "planners/anytime/finish.h"
 #include "planners/drive_time.h"
 #include "search/route.h"
+#include "search/wheels.h"
 #include "vandplan/search.h"
 #include "vandplan/steering.h"
 #include "vandplan/vehicle.h"
@@ -216,7 +217,8 @@ std::optional<std::vector<Segment>> Refuges::way_there(const Path& path, double 
     const double back = uniform(0.0, furthest_along, rng_) * task_.vehicle.min_turning_radius;
     const double leaves = straight_place(path, std::max(s - back, 0.0));
     std::vector<Segment> way = search::part_of(path.segments, 0.0, leaves);
-    search::DrivenBeside beside;
+    search::DrivenBeside beside{
+        .before = search::driven_at_ends(task_, connector_.rule().initial_gear).before};
     if (!way.empty()) beside.before = search::last_driven(way.back());
     const auto piece = connector_.connect(Local(pose_at(path, leaves)), refuge, {.beside = beside});
     if (!piece) continue;
@@ -233,7 +235,7 @@ std::optional<std::vector<Segment>> Refuges::way_onward(const Path& path, double
     const double ahead = uniform(0.0, furthest_along, rng_) * task_.vehicle.min_turning_radius;
     const double returns = straight_place(path, std::min(s + ahead, end));
     const std::vector<Segment> rest = search::part_of(path.segments, returns, length(path));
-    search::DrivenBeside beside;
+    search::DrivenBeside beside{.after = search::driven_at_ends(task_).after};
     if (!rest.empty()) beside.after = {search::gear_of(rest.front()), rest.front().curvature};
     const auto piece =
         connector_.connect(refuge, Local(pose_at(path, returns)), {.beside = beside});

@@ -116,6 +116,11 @@ TEST(NastyWorlds, WaitBesideTheWayOfASharpStart) {
   for (const std::string& fault : try_world_of_movers(2518).faults) ADD_FAILURE() << fault;
 }
 
+// A detour comes back at the very goal, where the wheels have to be turned.
+TEST(NastyWorlds, ComeBackToAGoalWithTurnedWheels) {
+  for (const std::string& fault : try_world_of_movers(20230).faults) ADD_FAILURE() << fault;
+}
+
 // A short path, where two rules for the sum of what is near were wrong by as much at a kink.
 TEST(NastyWorlds, SumWhatIsNearAlikeOnAShortPath) {
   for (const std::string& fault : try_world(30020567).faults) ADD_FAILURE() << fault;
