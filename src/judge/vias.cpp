@@ -149,7 +149,6 @@ struct Reached {
   Place place;
   Real s = 0;                       // driven distance to there [m]
   Worth worth = {};                 // of all stops so far
-  bool is_stop = false;             // whether the vehicle stands there for the via
   std::size_t last = 0;             // number of the place where the via before is passed
   std::optional<Place> stood = {};  // last place where it stands for a via
 };
@@ -173,7 +172,7 @@ class AllPassings {
     for (std::size_t i = reached.size() - 1; i > 0; --i) {
       const Reached& here = reached[i][number];
       passed.places.push_back(here.place);
-      if (here.is_stop) passed.stops.push_back(here.place);
+      if (task_.via[i - 1].stop) passed.stops.push_back(here.place);
       number = here.last;
     }
     std::ranges::reverse(passed.places);
@@ -197,7 +196,7 @@ class AllPassings {
       if (!first) continue;
       const std::optional<Place>& stood = before[i].stood;
       places.push_back(
-          {*first, driven(track_, *first), before[i].worth, via.stop, i, via.stop ? first : stood});
+          {*first, driven(track_, *first), before[i].worth, i, via.stop ? first : stood});
       for (const Joint* joint : inside) {
         if (joint->place < before[i].place) continue;
         const bool is_new = stood != joint->place;
@@ -205,7 +204,7 @@ class AllPassings {
         const Worth worth = {turns + static_cast<int>(joint->needs_stop && is_new),
                              standing + static_cast<int>(joint->stands), beginning + 1};
         const Real s = driven(track_, joint->place);
-        places.push_back({joint->place, s, worth, true, i, joint->place});
+        places.push_back({joint->place, s, worth, i, joint->place});
       }
     }
     return best_of(std::move(places));

@@ -55,7 +55,7 @@ Real from_corners(const std::vector<Vector>& a, const std::vector<Vector>& b) {
   return least;
 }
 
-/// Whether a body, made smaller by `depth`, and a polygon overlap.
+/// Whether a body that was made smaller, at a pose, and a polygon overlap.
 bool overlaps(const Body& smaller, const Vector& place, Real heading,
               const std::vector<Vector>& polygon) {
   Thing thing;

@@ -12,6 +12,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "nasty/trial.h"
@@ -84,21 +85,17 @@ int main(int argc, char** argv) {
     return 0;
   }
   Try one = vandplan::nasty::try_world;
-  if (!words.empty() && words[0] == "--rigs") {
-    one = vandplan::nasty::try_world_of_a_rig;
+  constexpr std::pair<const char*, Try> kinds[] = {
+      {"--rigs", vandplan::nasty::try_world_of_a_rig},
+      {"--goals", vandplan::nasty::try_world_of_goals},
+      {"--zones", vandplan::nasty::try_world_of_zones},
+      {"--movers", vandplan::nasty::try_world_of_movers},
+      {"--patient", vandplan::nasty::try_world_patiently}};
+  for (const auto& [flag, try_kind] : kinds) {
+    if (words.empty() || words[0] != flag) continue;
+    one = try_kind;
     words.erase(words.begin());
-  } else if (!words.empty() && words[0] == "--goals") {
-    one = vandplan::nasty::try_world_of_goals;
-    words.erase(words.begin());
-  } else if (!words.empty() && words[0] == "--zones") {
-    one = vandplan::nasty::try_world_of_zones;
-    words.erase(words.begin());
-  } else if (!words.empty() && words[0] == "--movers") {
-    one = vandplan::nasty::try_world_of_movers;
-    words.erase(words.begin());
-  } else if (!words.empty() && words[0] == "--patient") {
-    one = vandplan::nasty::try_world_patiently;
-    words.erase(words.begin());
+    break;
   }
   if (words.size() < 2 || words.size() > 3) {
     std::fputs(usage, stderr);
