@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
 // Worlds in which something moves.
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -149,10 +148,8 @@ Scenario nasty_world_of_movers(std::uint64_t seed) {
                       : kind < 0.25 ? nasty_world_of_goals(seed)
                       : kind < 0.35 ? nasty_world_of_zones(seed)
                                     : nasty_world(seed);
-  Vehicle& vehicle = scenario.vehicle;
-  const double length = vehicle.rear_overhang + vehicle.wheelbase + vehicle.front_overhang;
-  Stage stage{scenario, std::max(length, vehicle.min_turning_radius),
-              vehicle.limits.max_speed.forward, rng};
+  const Vehicle& vehicle = scenario.vehicle;
+  Stage stage{scenario, size_of(vehicle), vehicle.limits.max_speed.forward, rng};
   for (int i = static_cast<int>(any_size(1, 5, rng)); i > 0; --i) {
     const MovingObstacle mover = nasty_mover(stage);
     Scenario alone{.vehicle = vehicle,

@@ -300,13 +300,17 @@ EndCurvatures nasty_curvatures(std::uint64_t seed, const Vehicle& vehicle) {
 
 }  // namespace
 
+double size_of(const Vehicle& vehicle) {
+  return std::max(whole_length(vehicle), vehicle.min_turning_radius);
+}
+
 Scenario nasty_world(std::uint64_t seed) {
   Rng rng(stream_seed(seed, 0));
   Site site{{}, 0.0, rng};
   Scenario& scenario = site.scenario;
   scenario.name = "nasty " + std::to_string(seed);
   scenario.vehicle = nasty_vehicle(rng);
-  site.size = std::max(whole_length(scenario.vehicle), scenario.vehicle.min_turning_radius);
+  site.size = size_of(scenario.vehicle);
   scenario.start = uniform_pose({-10, 10, -10, 10}, rng);
   if (chance(0.2, rng)) scenario.start.heading = pi / 2 * static_cast<int>(uniform(-2, 3, rng));
   scenario.goal = nasty_goal(site);
@@ -395,7 +399,7 @@ Polygon nasty_area(const Scenario& scenario, double size, Rng& rng) {
 Scenario nasty_world_of_goals(std::uint64_t seed) {
   Rng rng(stream_seed(seed, 4));
   Scenario scenario = chance(0.2, rng) ? nasty_world_of_a_rig(seed) : nasty_world(seed);
-  const double size = std::max(whole_length(scenario.vehicle), scenario.vehicle.min_turning_radius);
+  const double size = size_of(scenario.vehicle);
   if (chance(0.4, rng)) scenario.inside = {nasty_area(scenario, size, rng)};
   if (!scenario.inside.empty() && chance(0.3, rng)) return scenario;
   if (chance(0.3, rng)) {

@@ -9,6 +9,9 @@
 
 namespace vandplan::nasty {
 
+/// Size of things in a vehicle's world: its length, or its turning radius if that is more [m].
+[[nodiscard]] double size_of(const Vehicle& vehicle);
+
 /// A world of that number, always the same one: needles, combs, stars, nested and touching
 /// polygons, walls at 0 to 1 mm from the body, points and repeated corners, kerbs, turned maps, far
 /// origins and far bounds, for vehicles from a decimetre to a hundred metres. Some have a flaw that

@@ -19,10 +19,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-double size_of(const Vehicle& v) {
-  return std::max(v.rear_overhang + v.wheelbase + v.front_overhang, v.min_turning_radius);
-}
-
 Point between_ends(const Scenario& scenario, double size, Rng& rng) {
   const Pose& start = scenario.start;
   const Pose& goal = scenario.goal;
