@@ -100,7 +100,7 @@ GridDistance::Tile& GridDistance::tile_of(const RasterCell& cell) {
   ++made_tiles_;
   tile->costs.fill(unreached);
   if (is_priced()) {
-    tile->gaps.assign(tile->costs.size(), std::numeric_limits<float>::infinity());
+    tile->squared_gaps.assign(tile->costs.size(), std::numeric_limits<float>::infinity());
   }
   const RasterCell first{cell.x / tile_side * tile_side, cell.y / tile_side * tile_side};
   mark(*tile, first, site_->obstacles, near_, is_priced() ? disc_ + price_.distance : 0.0);
@@ -119,8 +119,8 @@ void GridDistance::mark(Tile& tile, const RasterCell& first, const PolygonSquare
     const std::size_t place = place_of(cell);
     if (squared <= near * near) tile.costs[place] = blocked;
     if (noted == 0.0) return;
-    float& gap = tile.gaps[place];
-    gap = std::min(gap, static_cast<float>(std::sqrt(squared)));
+    float& gap = tile.squared_gaps[place];
+    gap = std::min(gap, static_cast<float>(squared));
   };
   polygons.visit_near({low.x - reach, high.x + reach, low.y - reach, high.y + reach},
                       [&](const Polygon& polygon) {
@@ -163,7 +163,8 @@ void GridDistance::reach(const RasterCell& cell, std::int32_t cost, std::int32_t
   cost += step;
   if (known <= cost) return;  // Blocked cells return here too.
   if (is_priced()) {
-    cost += static_cast<std::int32_t>(step * (price_at(cell, tile.gaps[place]) - 1.0));
+    cost += static_cast<std::int32_t>(step *
+                                      (price_at(cell, std::sqrt(tile.squared_gaps[place])) - 1.0));
     if (known <= cost) return;
   }
   if (map_ != nullptr && known == unreached && is_blocked_by_map(cell)) {

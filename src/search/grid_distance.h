@@ -72,15 +72,15 @@ class GridDistance final : public Guide {
   [[nodiscard]] double at(double x, double y) const noexcept override;
 
   /// The way that was found, from the root to the target: both points, and the centres of the cells
-  /// between them. Requires `is_connected` and no price.
+  /// between them. Requires `is_connected`.
   [[nodiscard]] std::vector<Point> way() const;
 
  private:
   static constexpr std::int32_t tile_side = 32;  // Side of a tile [cells].
   struct Tile {
     std::array<std::int32_t, std::size_t{tile_side} * tile_side> costs;  // [1/5 cell]; -1: blocked.
-    /// Distances from the centres to the nearest side [m]. Empty without a price.
-    std::vector<float> gaps;
+    /// Squared distances from the centres to the nearest side [m^2]. Empty without a price.
+    std::vector<float> squared_gaps;
   };
 
   /// Cell that contains a point of the box, the nearest one for other points.

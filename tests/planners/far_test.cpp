@@ -88,9 +88,12 @@ Problem site(double side, std::uint64_t seed, double area = 900) {
 Bounds all_of(const Problem& problem) { return sampling_region(problem.task(), Region::scene); }
 
 /// A guide for a whole site.
-GridDistance guide_in(const Problem& problem, const Bounds& box, double greediness) {
-  return GridDistance(problem.task(), box, problem.task().goal, problem.task().start,
-                      {.side = problem.vehicle().width, .greediness = greediness, .detour = 1.0});
+GridDistance guide_in(const Problem& problem, const Bounds& box, double greediness,
+                      double price = 0.0) {
+  const double side = problem.vehicle().width;
+  return GridDistance(
+      problem.task(), box, problem.task().goal, problem.task().start,
+      {.side = side, .price = {price, 2 * side}, .greediness = greediness, .detour = 1.0});
 }
 
 TEST(GridDistance, OfASiteIsAsFarAsOneThatGoesOn) {
@@ -152,8 +155,9 @@ TEST(GridDistance, SeesASiteWhereOneGridWouldBeTooCoarse) {
   EXPECT_FALSE(search::is_site(problem.task(), {0, 400, 0, 400}));
 }
 
+// Leads where there is room to turn.
 std::vector<Point> way_of(const Problem& problem) {
-  GridDistance guide = guide_in(problem, all_of(problem), 1.25);
+  GridDistance guide = guide_in(problem, all_of(problem), 1.25, 3.0);
   while (guide.step()) {
   }
   return guide.way();
@@ -186,11 +190,20 @@ TEST(GridDistance, ItsWayIsAsLongAsItSays) {
   });
 }
 
+/// How much the wheels turn along a route [1/m].
+double total_turning(const Route& route) {
+  const CostRule turning{.curvature_change_cost = 1.0};
+  const Path path = path_of(route);
+  return search::drive_cost(turning, path.segments) - route.length();
+}
+
+// Bends are pulled straight and turned gently where there is room.
 TEST(Strung, DrivesAlongAWayForward) {
   const CostRule prices{1.0, 2.0, 5.0, 0};
   constexpr std::array steerings = {Steering::reeds_shepp, Steering::continuous_between_stops,
                                     Steering::continuous};
   int complete = 0;
+  double length = 0.0, turning = 0.0;  // sums of [ways] and [1/m per m]
   for_each_case(7, 12, [&](Rng& rng) {
     const Problem problem = site(1000, rng(), 450);
     Task task = problem.task();
@@ -205,10 +218,13 @@ TEST(Strung, DrivesAlongAWayForward) {
     const PathCheck check =
         check_path(problem, path_of(strung->route()), {.steering = task.steering});
     EXPECT_TRUE(check.valid) << check.reason;
-    EXPECT_LT(check.length, 1.03 * length_of(way));
+    length += check.length / length_of(way);
+    turning += total_turning(strung->route()) / check.length;
     EXPECT_LT(check.reverse_length, 0.03 * check.length);
   });
   EXPECT_GT(complete, is_sanitized ? 0 : 9);
+  EXPECT_LT(length, 0.952 * complete);
+  EXPECT_LT(turning, 0.0056 * complete);
 }
 
 // A gate that is too narrow: the way of a point leads through it, and nobody drives there.
@@ -335,6 +351,7 @@ TEST(Anytime, CrossesAWholeSiteInFewIterations) {
     ASSERT_TRUE(result.path) << style;
     EXPECT_LT(result.anytime.front().iteration, 1000) << style;
     EXPECT_LT(result.check->length, (is_sanitized ? 1.4 : 1.1) * 1000 * std::sqrt(2));
+    EXPECT_LT(result.anytime.front().cost, 1.03 * result.cost) << style;
     options.budget.threads = 2;
     EXPECT_EQ(plan(problem, options).cost, result.cost) << style;
   }

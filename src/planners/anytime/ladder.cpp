@@ -17,6 +17,8 @@ namespace {
 constexpr std::int64_t max_lattice_nodes = 300'000;  // nodes of one search: some 30 MB
 /// Greediness of the way on the grid that guides the search over a whole site.
 constexpr double greediness_of_far_way = 1.25;
+/// Price of small clearance on that way. It leads where there is room to turn.
+constexpr double price_of_far_way = 3.0;
 constexpr std::int64_t one_turn = 256;  // expansions of a turn where searches take turns
 
 // The rule without prices of steering and clearance, for a first route: shortening takes care of
@@ -101,10 +103,11 @@ class Ladder final : public Source {
 void Ladder::next_guide() {
   lattice_.reset();
   if (goes_far()) {
-    guide_.emplace(
-        task_, scene_, to_, from_,
-        GridDistance::Options{
-            .side = task_.vehicle.width, .greediness = greediness_of_far_way, .detour = 1.0});
+    guide_.emplace(task_, scene_, to_, from_,
+                   GridDistance::Options{.side = task_.vehicle.width,
+                                         .price = {price_of_far_way, 2 * task_.vehicle.width},
+                                         .greediness = greediness_of_far_way,
+                                         .detour = 1.0});
   } else {
     // Without a price of clearance a first route is found sooner.
     const double weight = is_known() ? rule_.clearance_weight : 0.0;
