@@ -306,9 +306,9 @@ class LiveDrive {
     return std::move(result_);
   }
 
-  /// Goal pose in the world's frame; with a set of goals the end of the planned path.
+  /// Goal pose in the world's frame; with a set of goals the end of the planned path to one.
   [[nodiscard]] Pose goal() const {
-    if (truth_.goal_set().empty() || !drive_) return truth_.task().goal;
+    if (truth_.goal_set().empty() || !answer_.reaches_goal) return truth_.task().goal;
     return to_local(*truth_.world(), end_pose(drive_->path));
   }
 

@@ -32,6 +32,8 @@ namespace {
 using namespace replanning;
 
 constexpr std::int64_t first_iterations = 20'000;
+/// A first plan in vain is tried again with twice the iterations, up to this factor.
+constexpr std::int64_t most_patience = 16;
 constexpr std::int64_t urgent_share = 3;  // factor of `tick_iterations` if a drive is needed
 constexpr double calm_share = 0.3;        // factor of `tick_iterations` if the drive is good
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -183,7 +185,10 @@ class Replanner::Impl {
 
   void take(double t, NewDrive way, const RigMotion& now) {
     judged_ = {true, true, true};
-    if (way.reaches_goal) has_new_goal_ = false;
+    if (way.reaches_goal) {
+      has_new_goal_ = false;
+      patience_ = 1;
+    }
     set({.outcome = way.outcome,
          .begin = t,
          .drive = std::make_shared<const TimedPath>(std::move(way.drive)),
@@ -201,10 +206,18 @@ class Replanner::Impl {
     if (!plan_from_standing(t, now)) stop_or_brake(t, {standing_at(task.start), now});
   }
 
+  /// Whether a vehicle that stands tries the first plan again: after one tick in vain, then after
+  /// two, four, ...
+  [[nodiscard]] bool tries_again() const { return patience_ > 1 && ticks_ >= next_try_; }
+
   /// Takes a drive that a vehicle which stands finds with the budget of the first plan.
   bool plan_from_standing(double t, const RigMotion& now) {
+    if (has_new_goal_) patience_ = 1;
     has_new_goal_ = false;
-    WorkLimit first = limit(options_.plan.budget.max_iterations.value_or(first_iterations));
+    WorkLimit first = limit(std::min(patience_, most_patience) *
+                            options_.plan.budget.max_iterations.value_or(first_iterations));
+    next_try_ = ticks_ + patience_;
+    patience_ *= 2;
     first.seed = options_.plan.budget.seed;
     first.states = std::max<std::int64_t>(first.states, 200'000);
     auto way = Ways(scene_, options_.plan, end_of_looks_).from_standing(now, first);
@@ -272,7 +285,7 @@ class Replanner::Impl {
       return improve(t, rest);
     }
     const bool stands = rest.drive.speeds.duration == 0.0;
-    if (has_new_goal_ && stands && plan_from_standing(t, rest.begin)) return;
+    if (stands && (has_new_goal_ || tries_again()) && plan_from_standing(t, rest.begin)) return;
     if (look_on(t, rest, verdict)) return;
     if (verdict.is_good()) return keep(otherwise);
     stop_or_brake(t, rest);
@@ -399,6 +412,8 @@ class Replanner::Impl {
   ReplanAnswer out_;                    // answer of the last tick, in the scenario's frame
   std::int64_t ground_version_ = 0;
   std::int64_t ticks_ = 0;
+  std::int64_t patience_ = 1;  // factor on the iterations of the next first plan
+  std::int64_t next_try_ = 0;  // tick of that plan, if one was in vain
   double last_t_ = -infinite;  // time of the last tick [s]
   std::size_t next_look_ = 0;  // index of the next look while a new drive is needed
   Deadline end_;               // time at which the tick must answer

@@ -42,6 +42,18 @@ TEST(LiveDrive, Arrives) {
   EXPECT_NEAR(result.duration, 35 / 2.5 + 2.5 / 0.9, 0.3);
 }
 
+TEST(LiveDrive, IsFarFromASetOfGoalsIfItStays) {
+  Scenario scenario = yard();
+  scenario.goal_set = {{.x = {35, 35}, .y = {0, 0}, .heading = {0, 0}},
+                       {.x = {38, 38}, .y = {0, 0}, .heading = {0, 0}}};
+  scenario.obstacles = {box(20, -20, 21, 20)};
+  LiveDriveOptions options;
+  options.longest = 1.0;
+  const LiveDriveResult result = drive_live(scenario, options);
+  EXPECT_FALSE(result.has_arrived);
+  EXPECT_NEAR(result.end_distance, 35, 1e-6);
+}
+
 TEST(LiveDrive, LetsPassWhoIsForetold) {
   Scenario scenario = yard();
   scenario.moving = {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 
 #include "replanning/timed_path.h"
@@ -157,6 +158,24 @@ TEST(Replanner, FirstPlanCountsTheSecondsOfTheWholeDrive) {
   const ReplanAnswer first = replanner.tick(0);
   ASSERT_TRUE(first.reaches_goal);
   EXPECT_LT(cost_of(*first.drive), 0.97 * cost_of({path, speed_profile(path, problem.vehicle())}));
+}
+
+// Without looks on the way, only the first plan can find one.
+TEST(Replanner, TriesTheFirstPlanAgainWithMoreIterations) {
+  Scenario scenario = lane();
+  scenario.obstacles.push_back(box(18, -20, 19, 3));
+  scenario.obstacles.push_back(box(34, -3, 35, 20));
+  ReplanOptions options;
+  options.plan.budget.max_iterations = 10;
+  options.tick_iterations = 0;
+  Replanner replanner(scenario, options);
+  unsigned tick = 1;
+  for (; tick < 100 && !replanner.tick(tick).reaches_goal; ++tick) {
+    EXPECT_TRUE(replanner.answer().is_safe);
+  }
+  EXPECT_GT(tick, 1U);
+  EXPECT_LT(tick, 100U);
+  EXPECT_TRUE(std::has_single_bit(tick)) << tick;
 }
 
 TEST(Replanner, TakesABetterWayAfterTheNextSecond) {
