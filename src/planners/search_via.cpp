@@ -25,8 +25,8 @@ namespace vandplan::planning {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr std::int64_t work_of_turn = 256;        // iterations of a leg in one turn
-constexpr std::int64_t patience_of_leg = 20'000;  // iterations of a leg until it is given up
+constexpr std::int64_t work_of_turn = 256;     // iterations of a leg in one turn
+constexpr std::int64_t first_patience = 400;   // iterations of a leg until another is tried
 constexpr std::int64_t first_look = 32;        // iterations of each leg before a trial is dropped
 constexpr std::int64_t chance_of_trial = 256;  // most iterations of each leg of a trial
 constexpr double is_near_best = 1.05;        // a trial up to so many times the best gets its chance
@@ -46,6 +46,7 @@ struct ViaLeg {
   std::unique_ptr<PathSearch> search = {};
   std::optional<std::vector<Segment>> path = {};
   std::int64_t spent = 0;
+  std::int64_t patience = first_patience;  // iterations after which another leg is tried
   bool is_done = false;
   bool is_closed = false;   // whether it is proven that there is no path
   std::string reason = {};  // why there is no path; or empty
@@ -204,37 +205,26 @@ class ViaSearch final : public PathSearch {
 
   // ---- The first chain that can be driven ----
 
+  /// Takes the best chain, with those legs of the last one that are the same.
   void begin_chain() {
-    legs_.clear();
-    chain_.clear();
-    const std::optional<std::vector<ViaNode>> chain = nodes_.best_chain();
-    if (!chain) return;
-    chain_ = *chain;
-    for (std::size_t i = 0; i <= chain_.size(); ++i) legs_.push_back(leg_to(chain_, i));
+    const std::vector<ViaNode> last =
+        std::exchange(chain_, nodes_.best_chain().value_or(std::vector<ViaNode>()));
+    const std::vector<LegPointer> old = std::exchange(legs_, {});
+    if (chain_.empty()) return;
+    const auto stays = [&](std::size_t i) {
+      return old.size() > i && (i == chain_.size() || last[i].number == chain_[i].number);
+    };
+    for (std::size_t i = 0; i <= chain_.size(); ++i) {
+      const bool is_same = stays(i) && (i == 0 || stays(i - 1));
+      legs_.push_back(is_same ? old[i] : leg_to(chain_, i));
+    }
   }
 
   /// Begins with the legs of a path. False if it does not pass the vias at free nodes.
   bool begin_along(const Path& path, std::span<const double> passed) {
-    std::vector<ViaNode> chain;
-    chain.reserve(passed.size());
-    for (std::size_t via = 0; via < passed.size(); ++via) {
-      const std::vector<Segment> before = search::part_of(path.segments, 0.0, passed[via]);
-      std::vector<Segment> behind = search::part_of(path.segments, passed[via], infinite);
-      LocalState there = start_state(task_);
-      for (const Segment& segment : before) {
-        there = vandplan::advance(task_.vehicle, there, segment);
-      }
-      if (behind.empty()) {
-        if (before.empty()) return false;
-        const Segment& last = before.back();
-        behind.push_back(part_of(last, std::abs(last.length), std::abs(last.length)));
-      }
-      const Segment& next = behind.front();
-      const auto node = nodes_.added(via, there, search::gear_of(next), next.curvature);
-      if (!node) return false;
-      chain.push_back(*node);
-    }
-    chain_ = std::move(chain);
+    std::optional<std::vector<ViaNode>> chain = nodes_.along(path, passed);
+    if (!chain) return false;
+    chain_ = *std::move(chain);
     for (std::size_t i = 0; i <= chain_.size(); ++i) {
       legs_.push_back(leg_to(chain_, i));
       const double begin = i == 0 ? 0.0 : passed[i - 1];
@@ -245,8 +235,8 @@ class ViaSearch final : public PathSearch {
     return true;
   }
 
-  /// Goes on with the first leg without a path, or with one whose wheels would have to jump. One
-  /// that seems to have none is given up.
+  /// Goes on with the first leg without a path, or with one whose wheels would have to jump. Other
+  /// chains are tried in between.
   bool find(std::int64_t most) {
     take();
     if (best_) return true;
@@ -254,17 +244,22 @@ class ViaSearch final : public PathSearch {
     while (i < legs_.size() && legs_[i]->path && (i == 0 || fits_behind(i))) ++i;
     if (i == legs_.size()) return false;  // an endless cost
     ViaLeg& leg = *legs_[i];
-    const bool has_failed = leg.is_done || leg.spent > patience_of_leg;
-    if (!has_failed) {
+    const std::size_t from = i == 0 ? 0 : chain_[i - 1].number;
+    const std::size_t to = i == chain_.size() ? 0 : chain_[i].number;
+    if (!leg.is_done) {
       spent_on_legs_ += go_on(leg, most);
+      if (leg.is_done || leg.spent < leg.patience) return true;
+      leg.patience *= 2;
+      nodes_.doubt(i, from, to);
+      begin_chain();
       return true;
     }
     is_proven_ = is_proven_ && leg.is_closed;
     if (!leg.reason.empty()) {
-      const std::string to = i == chain_.size() ? "the goal" : "via[" + std::to_string(i) + "]";
-      reason_ = "on the way to " + to + ": " + leg.reason;
+      const std::string end = i == chain_.size() ? "the goal" : "via[" + std::to_string(i) + "]";
+      reason_ = "on the way to " + end + ": " + leg.reason;
     }
-    nodes_.give_up(i, i == 0 ? 0 : chain_[i - 1].number, i == chain_.size() ? 0 : chain_[i].number);
+    nodes_.give_up(i, from, to);
     begin_chain();
     return !chain_.empty();
   }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "planners/zone_exits.h"
+#include "search/route.h"
 #include "vandplan/steering.h"
 
 namespace vandplan::planning {
@@ -15,6 +16,7 @@ namespace {
 constexpr double no_way = std::numeric_limits<double>::infinity();
 constexpr std::size_t max_nodes_of_region = 16;  // poses of a region with intervals
 constexpr std::size_t max_nodes_of_via = 64;     // poses of all regions of a via, but two of each
+constexpr double share_of_doubt = 0.1;           // of the length of a leg, for each search in vain
 /// Change of a curvature beside, in shares of the tightest curvature, for a share of intervals.
 constexpr double share_of_curvature = 4.0;
 
@@ -83,6 +85,29 @@ std::optional<ViaNode> ViaNodes::added(std::size_t via, const LocalState& state,
   return node;
 }
 
+std::optional<std::vector<ViaNode>> ViaNodes::along(const Path& path,
+                                                    std::span<const double> passed) {
+  constexpr double end = std::numeric_limits<double>::infinity();
+  std::vector<ViaNode> chain;
+  chain.reserve(passed.size());
+  for (std::size_t via = 0; via < passed.size(); ++via) {
+    const std::vector<Segment> before = search::part_of(path.segments, 0.0, passed[via]);
+    std::vector<Segment> behind = search::part_of(path.segments, passed[via], end);
+    LocalState there = start_state(task_);
+    for (const Segment& segment : before) there = advance(task_.vehicle, there, segment);
+    if (behind.empty()) {
+      if (before.empty()) return std::nullopt;
+      const Segment& last = before.back();
+      behind.push_back(part_of(last, std::abs(last.length), std::abs(last.length)));
+    }
+    const Segment& next = behind.front();
+    const auto node = added(via, there, search::gear_of(next), next.curvature);
+    if (!node) return std::nullopt;
+    chain.push_back(*node);
+  }
+  return chain;
+}
+
 /// Tightest curvature with which a via is driven through [1/m].
 double ViaNodes::sharpest_through() const {
   return (1 - 1e-9) / search::continuous_radius(task_.vehicle);
@@ -100,6 +125,17 @@ bool ViaNodes::are_all() const {
     return via.any_of.size() <= max_nodes_of_via / 2 &&
            std::ranges::none_of(via.any_of, is_continuous);
   });
+}
+
+void ViaNodes::doubt(std::size_t via, std::size_t from, std::size_t to) {
+  if (via > 0) ++doubts_[{via - 1, from}];
+  if (via < nodes_.size()) ++doubts_[{via, to}];
+}
+
+/// What the doubts about a node add to the legs to it and from it, as a share of their lengths.
+double ViaNodes::doubt_of(std::size_t via, std::size_t node) const {
+  const auto found = doubts_.find({via, node});
+  return found == doubts_.end() ? 0.0 : share_of_doubt * found->second;
 }
 
 double ViaNodes::estimate(const LocalState& from, const LocalState& to) const {
@@ -123,7 +159,8 @@ std::optional<std::vector<ViaNode>> ViaNodes::best_chain() const {
       states.push_back(is_goal ? goal_state(task_) : nodes_[via][to].state);
       for (std::size_t i = 0; i < before.size(); ++i) {
         if (lost_.contains({via, i, to})) continue;
-        const double length = lengths[i] + estimate(before[i], states[to]);
+        const double doubts = (via > 0 ? doubt_of(via - 1, i) : 0.0) + doubt_of(via, to);
+        const double length = lengths[i] + (1.0 + doubts) * estimate(before[i], states[to]);
         if (length >= next[to]) continue;
         next[to] = length;
         from.back()[to] = i;

@@ -4,6 +4,7 @@
 // At which poses does a path pass its vias, and what joins them?
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -49,12 +50,14 @@ class ViaNodes {
   /// The chain of one node of each via that seems shortest, without the legs that were given up.
   /// None if there is none.
   [[nodiscard]] std::optional<std::vector<ViaNode>> best_chain() const;
-  /// The node of a via at a state, as a further one; none if the state is not in the via or not
-  /// free. `gear`: gear in which the vehicle goes on.
-  [[nodiscard]] std::optional<ViaNode> added(std::size_t via, const LocalState& state,
-                                             search::GearSign gear, double curvature);
+  /// Nodes at which a path passes the vias, as further ones; none if one is not in its via or not
+  /// free. `passed`: the driven distance to each via [m].
+  [[nodiscard]] std::optional<std::vector<ViaNode>> along(const Path& path,
+                                                          std::span<const double> passed);
   /// Gives up the leg that leads to node `to` of a via from node `from` of the via before.
   void give_up(std::size_t via, std::size_t from, std::size_t to) { lost_.insert({via, from, to}); }
+  /// Says that such a leg was looked for in vain, so far. Chains with one of its nodes come later.
+  void doubt(std::size_t via, std::size_t from, std::size_t to);
 
   /// Free nodes beside `chain[via]`: by `share` of the intervals of its region, in the other gear,
   /// and with other curvatures.
@@ -68,6 +71,11 @@ class ViaNodes {
  private:
   using LegKey = std::tuple<std::size_t, std::size_t, std::size_t>;
 
+  /// The node of a via at a state, as a further one; none if the state is not in the via or not
+  /// free. `gear`: gear in which the vehicle goes on.
+  [[nodiscard]] std::optional<ViaNode> added(std::size_t via, const LocalState& state,
+                                             search::GearSign gear, double curvature);
+  [[nodiscard]] double doubt_of(std::size_t via, std::size_t node) const;
   [[nodiscard]] double estimate(const LocalState& from, const LocalState& to) const;
   [[nodiscard]] double way_through(const std::vector<ViaNode>& chain, std::size_t via,
                                    const LocalState& state) const;
@@ -81,7 +89,8 @@ class ViaNodes {
   std::vector<std::vector<ViaNode>> nodes_;
   std::vector<std::size_t> looked_at_;
   bool is_cut_short_ = false;
-  std::set<LegKey> lost_;  // legs that were given up
+  std::set<LegKey> lost_;                                      // legs that were given up
+  std::map<std::pair<std::size_t, std::size_t>, int> doubts_;  // of the nodes of each via
 };
 
 }  // namespace vandplan::planning

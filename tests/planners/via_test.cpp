@@ -68,6 +68,27 @@ TEST(Via, IsPassedOnTheWay) {
   EXPECT_GE(*result.lower_bound, 2 * std::hypot(20, 10) - 1e-4);
 }
 
+// A one-way ring around a house. The shortest chain has poses beside the house that nobody gets to.
+TEST(Via, IsPassedAtAnotherPoseWhereOneIsHardToReach) {
+  Via above = anyhow(0, 12, true);
+  above.any_of[0].y = {12, 27};
+  Scenario scenario{
+      .bounds = {-60, 60, -60, 60},
+      .start = {0, -20, 0},
+      .goal = {-15, -20, 0},
+      .via = {anyhow(30, 0), above, anyhow(-30, 0)},
+      .obstacles = {box(-20, -10, 20, 10), box(-40, -30, 40, -29), box(-40, 29, 40, 30),
+                    box(-40, -30, -39, 30), box(39, -30, 40, 30)}};
+  scenario.zones = {{.area = box(-20, -29, 20, -10), .direction = HeadingRange{-0.9, 0.9}},
+                    {.area = box(20, -10, 39, 10), .direction = HeadingRange{0.7, 2.5}},
+                    {.area = box(-20, 10, 20, 29), .direction = HeadingRange{2.2, 4.1}},
+                    {.area = box(-39, -10, -20, 10), .direction = HeadingRange{3.8, 5.6}}};
+  const PlanResult result = plan(make_problem(scenario), via_options(8000));
+  if (is_sanitized && !result.path) return;
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  EXPECT_LT(result.cost, 150);
+}
+
 TEST(Via, CostsNothingOnTheStraightWay) {
   for (const bool stop : {false, true}) {
     const PlanResult result =
