@@ -15,7 +15,7 @@
 #include "base/trigonometry.h"
 #include "lab/cost_field.h"
 #include "lab/estimate_options.h"
-#include "planners/anytime/open_ground.h"
+#include "search/open_ground.h"
 #include "vandplan/random.h"
 #include "vandplan/search.h"
 
@@ -164,7 +164,7 @@ bool FieldDStarRun::try_directly() {
   answer_.status = PlanStatus::solved;
   answer_.segments = merged(direct->piece.view());
   const CostRule& rule = connector_.rule();
-  answer_.lower_bound = anytime::cost_lower_bound(anytime::open_ground(task_, rule), rule, 0.0);
+  answer_.lower_bound = search::cost_lower_bound(search::open_ground(task_, rule), rule, 0.0);
   answer_.anytime.push_back({budget_.elapsed(), 0, direct->cost});
   if (options_.planner.flag("keep_tree"))
     answer_.tree = TreeSnapshot{{task_.start, task_.goal}, {-1, 0}};

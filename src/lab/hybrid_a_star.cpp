@@ -15,8 +15,8 @@
 #include "lab/cell_costs.h"
 #include "lab/estimate_options.h"
 #include "lab/voronoi_field.h"
-#include "planners/anytime/open_ground.h"
 #include "planners/anytime/shorten.h"
+#include "search/open_ground.h"
 #include "search/route.h"
 #include "vandplan/search.h"
 
@@ -185,7 +185,7 @@ class HybridAStarSearch {
     const CostRule& rule = connector_.rule();
     if (rule.allows_both()) return;
     // The judge lets a path end slightly beside the goal, so it may be shorter by the leeway.
-    const double leeway = anytime::open_ground(task_, rule).leeway;
+    const double leeway = search::open_ground(task_, rule).leeway;
     answer.lower_bound = std::min(*answer.lower_bound, estimate_.length(task_.start)) - leeway;
   }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "lab/lattice_search.h"
-#include "planners/anytime/open_ground.h"
+#include "search/open_ground.h"
 
 namespace vandplan::lattice {
 namespace {
@@ -30,7 +30,7 @@ void conclude(const Task& task, const CostRule& rule, const LatticeSearch& searc
   // In one gear the bound is less by a leeway: the judge lets a path end slightly beside the goal.
   answer.lower_bound = rule.is_length()
                            ? length_on_open_ground(task)
-                           : anytime::cost_lower_bound(anytime::open_ground(task, rule), rule, 0.0);
+                           : search::cost_lower_bound(search::open_ground(task, rule), rule, 0.0);
   if (proof.factor > 0.0) {
     answer.counters.push_back(
         {"lattice_factor_per_mille", static_cast<std::int64_t>(std::ceil(1000 * proof.factor))});

@@ -100,7 +100,7 @@ LegBounds::Leg LegBounds::blunt_leg(const Stop& from, const Stop& to) const {
 void LegBounds::sharpen(Leg& leg, const Stop& from, const Stop& to) const {
   if (leg.is_sharp) return;
   leg.is_sharp = true;
-  const anytime::OpenGround sharp = anytime::open_ground(
+  const search::OpenGround sharp = search::open_ground(
       from.place.pose, from.place.off, to.place.pose, to.place.off, vehicle_.min_turning_radius);
   leg.ground = {std::max(leg.ground.forward, sharp.forward),
                 std::max(leg.ground.reverse, sharp.reverse),

@@ -11,10 +11,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "planners/anytime/open_ground.h"
 #include "planners/goal_poses.h"
 #include "planners/path_search.h"
 #include "planners/pricing.h"
+#include "search/open_ground.h"
 #include "vandplan/problem.h"
 #include "vandplan/search.h"
 
@@ -40,7 +40,7 @@ class LegBounds {
  private:
   /// What is known of a leg from one part to another.
   struct Leg {
-    anytime::OpenGround ground;
+    search::OpenGround ground;
     double around = 0.0;    // lower bound of its length around obstacles [m]
     double added = 0.0;     // what zones and masks add at least to its cost
     double in_zones = 0.0;  // lower bound of its cost by zones and masks alone

@@ -65,9 +65,9 @@ double SetGoals::bound_to(const Task& to) const {
 
 // Lower bound of the cost of paths that are at least `length` metres long.
 double SetGoals::bound_of_length(double length) const {
-  const anytime::OpenGround ground{length, length, length, 0.0};
+  const search::OpenGround ground{length, length, length, 0.0};
   return pricing_.counts_time() ? pricing_.cost_lower_bound(length, length)
-                                : anytime::cost_lower_bound(ground, pricing_.rule(), 0.0);
+                                : search::cost_lower_bound(ground, pricing_.rule(), 0.0);
 }
 
 // Lower bound of the cost of paths to a place: by the straight way, which costs little to find.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "planners/anytime/open_ground.h"
+#include "search/open_ground.h"
 #include "vandplan/vehicle.h"
 #include "vehicle/hitch_motion.h"
 
@@ -22,7 +22,7 @@ double cost_lower_bound_alone(const Task& task, const CostRule& rule, Ends which
   if (which == Ends::exact) {
     return Connector(task, rule).least_cost(task.start, task.goal, {rule.initial_gear, {}});
   }
-  return anytime::cost_lower_bound(anytime::open_ground(task, rule, off), rule, 0.0);
+  return search::cost_lower_bound(search::open_ground(task, rule, off), rule, 0.0);
 }
 
 /// How far the ends of a trailer's axle may be off, if tractor and hitch angle are off as far as

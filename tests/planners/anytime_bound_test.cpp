@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planners/anytime/open_ground.h"
 #include "search/geodesic.h"
+#include "search/open_ground.h"
 #include "support/cases.h"
 #include "support/draws.h"
 #include "support/problems.h"
@@ -21,7 +21,7 @@ namespace vandplan {
 namespace {
 
 double bound_of(const Problem& problem, const search::CostRule& rule) {
-  return cost_lower_bound(anytime::open_ground(problem.task(), rule), rule, 0.0);
+  return cost_lower_bound(search::open_ground(problem.task(), rule), rule, 0.0);
 }
 
 PlanResult run(const Problem& problem, const CostOptions& cost = shortest_style) {
@@ -175,7 +175,7 @@ TEST(AnytimeBound, IsCloseBelowTheLeastOfForwardReverseAndOneChange) {
       const Problem problem = problem_of(from, to, {});
       const CostRule& rule = bound_rules[rng() % 4];
       const double bound = bound_of(problem, rule);
-      const double leeway = anytime::open_ground(problem.task(), rule).leeway;
+      const double leeway = search::open_ground(problem.task(), rule).leeway;
       const double forward = dubins_length(from, to, default_radius);
       const double reverse = rule.reverse_weight * dubins_length(to, from, default_radius);
       const double one_change =
@@ -204,7 +204,7 @@ TEST(AnytimeBound, DoesNotJumpWhereAnArcVanishes) {
 
 // The way around holds for each kind of path, and a change of gear comes on top of it.
 TEST(AnytimeBound, PutsOpenGroundAndTheWayAroundTogether) {
-  const anytime::OpenGround ground{.forward = 50, .reverse = 22, .shortest = 10};
+  const search::OpenGround ground{.forward = 50, .reverse = 22, .shortest = 10};
   search::CostRule rule{.reverse_weight = 2, .gear_change_cost = 5};
   EXPECT_DOUBLE_EQ(cost_lower_bound(ground, rule, 0), 15);
   EXPECT_DOUBLE_EQ(cost_lower_bound(ground, rule, 20), 25);

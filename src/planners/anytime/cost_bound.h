@@ -3,9 +3,9 @@
 #pragma once
 // Which cost can no path fall below?
 
-#include "planners/anytime/open_ground.h"
 #include "planners/anytime/worker.h"
 #include "planners/pricing.h"
+#include "search/open_ground.h"
 
 namespace vandplan::anytime {
 
@@ -26,7 +26,7 @@ class CostBound {
   [[nodiscard]] double by_lengths(const Proven& proven) const;
 
   const planning::Pricing& pricing_;
-  OpenGround ground_;
+  search::OpenGround ground_;
   bool is_rig_;                 // whether the vehicle has a trailer
   double judged_of_rig_ = 0.0;  // lower bound for drives of a rig that the judge accepts
   double exact_of_rig_ = 0.0;   // lower bound for drives of a rig with exact ends

@@ -7,7 +7,7 @@
 #include "vandplan/problem.h"
 #include "vandplan/search.h"
 
-namespace vandplan::anytime {
+namespace vandplan::search {
 
 /// Lower bounds for all paths on open ground. A path is driven forward only, or in reverse only, or
 /// changes gear.
@@ -20,7 +20,7 @@ struct OpenGround {
 };
 
 /// Lower bound of the length of paths in the gears that a rule allows [m].
-[[nodiscard]] double length_lower_bound(const OpenGround& ground, const search::CostRule& rule);
+[[nodiscard]] double length_lower_bound(const OpenGround& ground, const CostRule& rule);
 
 /// Lower bounds for all paths between two poses, whatever their curvatures there. Paths may begin
 /// and end as far off them as is said. `radius`: turning radius [m].
@@ -31,12 +31,12 @@ struct OpenGround {
 /// Lower bounds of a task. With prices they hold for every path whose ends are off by at most
 /// `ends`, which is the judge's tolerance by default. By length they hold for exact ends only, and
 /// the leeway is 0.
-[[nodiscard]] OpenGround open_ground(const Task& task, const search::CostRule& rule,
+[[nodiscard]] OpenGround open_ground(const Task& task, const CostRule& rule,
                                      const steering::Closing& ends = steering::judged);
 
 /// Lower bound of the cost of all paths [m], if none is shorter than `around` metres because of
 /// obstacles.
-[[nodiscard]] double cost_lower_bound(const OpenGround& ground, const search::CostRule& rule,
+[[nodiscard]] double cost_lower_bound(const OpenGround& ground, const CostRule& rule,
                                       double around);
 
-}  // namespace vandplan::anytime
+}  // namespace vandplan::search

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the Vändplan authors
-#include "planners/anytime/open_ground.h"
+#include "search/open_ground.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "steering/dubins_bound.h"
 #include "vandplan/steering.h"
 
-namespace vandplan::anytime {
+namespace vandplan::search {
 namespace {
 
 using steering::Closing, steering::judged_curvature;
@@ -47,26 +47,26 @@ OpenGround open_ground(const Pose& first, const Closing& off_first, const Pose& 
   return {forward / slack, reverse / slack, std::max(shortest - leeway, 0.0) / slack, leeway};
 }
 
-OpenGround open_ground(const Task& task, const search::CostRule& rule, const Closing& ends) {
+OpenGround open_ground(const Task& task, const CostRule& rule, const Closing& ends) {
   const double radius = task.vehicle.min_turning_radius;
   if (!rule.is_length()) return open_ground(task.start, ends, task.goal, ends, radius);
   const double shortest = reeds_shepp_length(task.start, task.goal, radius);
   return {shortest, shortest, shortest, 0.0};
 }
 
-double length_lower_bound(const OpenGround& ground, const search::CostRule& rule) {
+double length_lower_bound(const OpenGround& ground, const CostRule& rule) {
   return rule.allows_both() ? ground.shortest : rule.allows(1) ? ground.forward : ground.reverse;
 }
 
 // A path in one gear may change gear before it begins, unless its length is 0.
-double cost_lower_bound(const OpenGround& ground, const search::CostRule& rule, double around) {
+double cost_lower_bound(const OpenGround& ground, const CostRule& rule, double around) {
   if (rule.is_length()) return std::max(ground.shortest, around);
   double least = std::numeric_limits<double>::infinity();
   if (rule.allows_both()) {
     const double metre = std::min(rule.forward_weight, rule.reverse_weight);
     least = metre * std::max(ground.shortest, around) + rule.gear_change_cost;
   }
-  for (const search::GearSign gear : {1, -1}) {
+  for (const GearSign gear : {1, -1}) {
     if (!rule.allows(gear)) continue;
     const double length = std::max(gear > 0 ? ground.forward : ground.reverse, around);
     const double change = length > 0.0 ? change_cost(rule, rule.initial_gear, gear) : 0.0;
@@ -75,4 +75,4 @@ double cost_lower_bound(const OpenGround& ground, const search::CostRule& rule, 
   return least;
 }
 
-}  // namespace vandplan::anytime
+}  // namespace vandplan::search
