@@ -206,10 +206,10 @@ struct SiteCost {
 
 /// Costs from each start to each goal of a table, in the scenario's frame: start by start, and for
 /// each start as many as there are goals. They are those of ways, as `SiteWay::cost`. Lower bounds
-/// are of open ground, and count paths that end exactly at the goal. Start and goal of the problem
-/// do not matter; the options must be complete. `threads` share the pairs, with equal results;
-/// below 1 counts as 1. Throws InputError naming "site" as `site_way` does, or "starts[2]" for a
-/// start out of range.
+/// are of open ground, and at most the cost. As those of plans, they hold for all paths that the
+/// judge accepts, but by length for exact ends only. Start and goal of the problem do not matter;
+/// the options must be complete. `threads` share the pairs, with equal results; below 1 counts as
+/// 1. Throws InputError naming "site" as `site_way` does, or "starts[2]" for a start out of range.
 [[nodiscard]] std::vector<SiteCost> site_matrix(const SiteTable& table, const Problem& problem,
                                                 std::span<const Pose> starts,
                                                 const PlanOptions& options, int threads = 1);

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "search/open_ground.h"
+#include "search/route.h"
 #include "sites/data.h"
 #include "sites/site.h"
 #include "sites/way.h"
@@ -17,13 +19,19 @@
 namespace vandplan {
 namespace {
 
-using search::Connector, search::CostRule;
+using search::CostRule;
 using sites::SiteData, sites::SiteGrid, sites::SiteLayer, sites::between, sites::place_in,
     sites::require;
 
 constexpr const char* no_trailer =
     "no trailer, as ways of a table are of the tractor alone: plan instead";
 constexpr std::size_t starts_of_block = 256;  // starts of a matrix that a thread takes at once
+
+/// Lower bound of what plans cost on open ground, and so at most a cost that was found [m].
+double lower_bound(const Task& task, const CostRule& rule, double found) {
+  const double least = search::cost_lower_bound(search::open_ground(task, rule), rule, 0.0);
+  return std::min(least * (1 - search::rounding_of_cost), found);
+}
 
 /// Why a table has no way from a free start to the goal of a task.
 SiteOutcome why_no_way(const SiteTable& table, const Pose& start, const Task& task) {
@@ -100,7 +108,6 @@ std::vector<SiteCost> site_matrix(const SiteTable& table, const Problem& problem
   require(problem.task().moving.empty(), "site", "no moving obstacles: a table knows none");
   require(!problem.vehicle().trailer, "site", no_trailer);
   const std::vector<Pose>& goals = table.goals();
-  const CostRule rule = search::cost_rule(options.cost);  // bounds leave zones out
   std::vector<SiteCost> costs(starts.size() * goals.size());
   std::vector<LocalPose> from;
   from.reserve(starts.size());
@@ -117,18 +124,19 @@ std::vector<SiteCost> site_matrix(const SiteTable& table, const Problem& problem
     const std::size_t end = std::min(starts.size(), begin + size);
     const Problem pair = between(problem, starts[begin], goals[j], place_in("starts", begin));
     const Task task = task_of(pair, options.clearance, Steering::reeds_shepp);
-    const CostRule prices = search::cost_rule(options.cost, task);
-    sites::Ways ways(table.data(), table.data().layers[j], task, prices);
-    Connector open(task, rule);
+    const CostRule rule = search::cost_rule(options.cost, task);
+    sites::Ways ways(table.data(), table.data().layers[j], task, rule);
+    Task open = task;
     for (std::size_t i = begin; i < end; ++i) {
       SiteCost& cost = costs[i * goals.size() + j];
-      cost.lower_bound = open.least_cost(from[i], task.goal, {rule.initial_gear, 0});
       const bool is_free = task.checker->is_free(from[i]);
       const auto way = is_free ? ways.find(from[i]) : std::nullopt;
       if (way) cost.cost = way->cost;
       cost.outcome = way        ? SiteOutcome::way
                      : !is_free ? SiteOutcome::start_in_collision
                                 : why_no_way(table, starts[i], task);
+      open.start = from[i];
+      cost.lower_bound = lower_bound(open, rule, cost.cost);
     }
   });
   return costs;
