@@ -63,22 +63,32 @@ PlanOptions options_of(const MatrixArguments& arguments, const ScenarioProblems&
   return complete(planner, options, read.problems.front().vehicle());
 }
 
-/// The table that is given, or else made. Throws InputError if it has other goals. A goal that is
-/// wrong is named by its line.
-SiteTable table_of(const MatrixArguments& arguments, const Problem& problem, const Poses& goals,
+/// The error, but if it names a start or a goal, it names the pose's line.
+InputError by_line(const InputError& error, const MatrixArguments& arguments, const Ends& ends) {
+  const InputError of_goal = named_by_line(error, "goals", arguments.goals, ends.goals);
+  return named_by_line(of_goal, "starts", arguments.starts, ends.starts);
+}
+
+/// The table that is given, or else made for these ends. Throws InputError if it has other goals. A
+/// pose that is wrong is named by its line.
+SiteTable table_of(const MatrixArguments& arguments, const Problem& problem, const Ends& ends,
                    const PlanOptions& options, const std::stop_token& stop) {
   if (arguments.site) {
     SiteTable table = read_site_table(*arguments.site);
-    if (table.goals() == goals.poses) return table;
+    if (table.goals() == ends.goals.poses) return table;
     throw InputError(arguments.goals, "has other goals than " + *arguments.site +
                                           ", expected the same in the same order");
   }
   std::optional<SiteTable> table;
   try {
-    table = make_site_table(problem, goals.poses, options,
-                            {.threads = threads_of(arguments.jobs), .stop = stop});
+    table = make_site_table(
+        problem, ends.goals.poses, options,
+        {.threads = threads_of(arguments.jobs), .stop = stop, .starts = ends.starts.poses});
   } catch (const InputError& error) {
-    throw named_by_line(error, "goals", arguments.goals, goals);
+    if (error.where() != "cell") throw by_line(error, arguments, ends);
+    throw InputError(arguments.starts,
+                     "starts, goals and obstacles span too much, expected --site with a table of "
+                     "larger cells");
   }
   if (!table) throw InputError("matrix", "was stopped, nothing is written");
   return *std::move(table);
@@ -86,19 +96,20 @@ SiteTable table_of(const MatrixArguments& arguments, const Problem& problem, con
 
 /// The costs. What is wrong with the table names its file, a start that is wrong its line.
 std::vector<SiteCost> costs_of(const MatrixArguments& arguments, const Problem& problem,
-                               const Poses& starts, PlanOptions options, const SiteTable& table,
+                               const Ends& ends, PlanOptions options, const SiteTable& table,
                                const std::stop_token& stop) {
   const int threads = threads_of(arguments.jobs);
+  const std::vector<Pose>& starts = ends.starts.poses;
   try {
-    if (!arguments.iterations) return site_matrix(table, problem, starts.poses, options, threads);
+    if (!arguments.iterations) return site_matrix(table, problem, starts, options, threads);
     options.budget.stop = stop;
     options.site = std::make_shared<const SiteTable>(table);
-    return plan_matrix(problem, starts.poses, options, threads);
+    return plan_matrix(problem, starts, options, threads);
   } catch (const InputError& error) {
     if (error.where() == "site" && arguments.site) {
       throw InputError(*arguments.site, error.problem());
     }
-    throw named_by_line(error, "starts", arguments.starts, starts);
+    throw by_line(error, arguments, ends);
   }
 }
 
@@ -183,10 +194,9 @@ int make(const MatrixArguments& arguments) {
   }
   const PlanOptions options = options_of(arguments, read);
   const Ends ends{poses_in(arguments.starts), poses_in(arguments.goals)};
-  const SiteTable table = table_of(arguments, problem, ends.goals, options, stop);
+  const SiteTable table = table_of(arguments, problem, ends, options, stop);
   const auto begin = std::chrono::steady_clock::now();
-  const std::vector<SiteCost> costs =
-      costs_of(arguments, problem, ends.starts, options, table, stop);
+  const std::vector<SiteCost> costs = costs_of(arguments, problem, ends, options, table, stop);
   if (stop.stop_requested()) throw InputError("matrix", "was stopped, nothing is written");
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
   write_file(arguments.output, csv_of(costs, ends.goals.poses.size()));

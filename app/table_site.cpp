@@ -85,6 +85,7 @@ int make(const SiteArguments& arguments) {
   SiteTableOptions wanted = arguments.table;
   wanted.threads = threads_of(arguments.jobs);
   wanted.stop = stop;
+  wanted.starts = {problem.start()};
   const auto begin = std::chrono::steady_clock::now();
   std::optional<ProgressBar> bar;
   const std::size_t count = goals.poses.size();

@@ -38,7 +38,7 @@ namespace sites {
 struct SiteData;
 }
 
-/// Resolution of a table, and who makes it.
+/// Resolution of a table, where it reaches, and who makes it.
 struct SiteTableOptions {
   int headings = 36;          ///< headings of a full turn; [8, 256]
   double cell = 0.12;         ///< side of a cell of places [turning radii]; [0.01, 1]
@@ -46,6 +46,9 @@ struct SiteTableOptions {
   std::stop_token stop = {};  ///< the work ends soon after this is asked to stop
   /// Called with the number of goals that are done, one call at a time, from any of the threads.
   std::function<void(std::size_t)> progress = {};
+  /// Poses in the scenario's frame that lie in the table's box, besides goals and obstacles. Those
+  /// that are not free do not count.
+  std::vector<Pose> starts = {};
 };
 
 /// Costs of driving from everywhere on a site to each of some goals, for one vehicle and its
@@ -110,6 +113,7 @@ struct SiteGoals {
 /// alone. None if `stop` was asked to stop. Throws InputError naming:
 ///
 /// - "goals" if there are none, "goals[2]" for one that is not free or out of range,
+/// - "starts[2]" for a start of `table` that is out of range,
 /// - "headings", "cell" or "threads" out of range, "cell" also if there are too many cells,
 /// - "cost" if the cost is the time, "moving" if obstacles move.
 [[nodiscard]] std::optional<SiteTable> make_site_table(const Problem& problem,

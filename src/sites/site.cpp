@@ -31,11 +31,17 @@ Problem without_trailer(const Problem& problem) {
   return make_problem(problem.world(), tractor, problem.start(), problem.goal());
 }
 
-/// [1] Box around what the tasks reach, in the world's frame.
-Bounds box_around(const std::vector<Task>& tasks) {
+/// [1] Box around what the tasks and free starts reach, in the world's frame.
+Bounds box_around(const std::vector<Task>& tasks, const Problem& problem,
+                  std::span<const Pose> starts) {
   Bounds box = sampling_region(tasks.front(), Region::scene);
-  for (const Task& task : tasks) {
+  const auto add = [&box](const Task& task) {
     box = geometry::united(box, sampling_region(task, Region::scene));
+  };
+  for (const Task& task : tasks) add(task);
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    const Problem there = between(problem, starts[i], starts[i], place_in("starts", i));
+    if (there.task().checker->is_free(there.task().start)) add(there.task());
   }
   return box;
 }
@@ -116,7 +122,7 @@ Site site_of(const Problem& problem, std::span<const Pose> goals, const PlanOpti
     const Task& task = site.tasks.back();
     if (!task.checker->is_free(task.goal)) throw InputError(place_in("goals", i), "is not free");
   }
-  site.box = box_around(site.tasks);
+  site.box = box_around(site.tasks, without_trailer(problem), table.starts);
   site.grid = grid_of(site.box, site.tasks.front(), table);
   return site;
 }

@@ -265,6 +265,23 @@ TEST(ChangingSiteTable, KnowsNoWayToAGoalThatIsTaken) {
   EXPECT_EQ(site_table_to_bytes(changing.table()), site_table_to_bytes(before));
 }
 
+TEST(ChangingSiteTable, KeepsReachingItsStarts) {
+  Rng rng(4);
+  Scenario scenario = court_of_crates(rng);
+  scenario.bounds = {-90, 90, -90, 90};
+  const SiteTableOptions far{.headings = 24, .cell = 0.25, .starts = {{60, 0, 0}}};
+  ChangingSiteTable changing(make_problem(scenario), docks, drivers_options(), far);
+  for (int i = 0; i < 2; ++i) {  // repaired, then made anew
+    scenario.obstacles.push_back(box(-12, -9, -9, -7 + i));
+    scenario.bounds.x_max -= i;
+    const Problem problem = make_problem(scenario);
+    changing.repair(problem);
+    const SiteTable anew = make_site_table(problem, docks, drivers_options(), far).value();
+    EXPECT_EQ(site_table_to_bytes(changing.table()), site_table_to_bytes(anew));
+    EXPECT_FALSE(std::isinf(anew.cost({60, 0, 0}, 0)));
+  }
+}
+
 TEST(ChangingSiteTable, IsMadeAnewInOtherBounds) {
   Rng rng(4);
   Scenario scenario = court_of_crates(rng);

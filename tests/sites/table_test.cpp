@@ -176,6 +176,22 @@ TEST(SiteTable, NoStateLiesBeyondTheBounds) {
   EXPECT_EQ(beyond, 0);
 }
 
+TEST(SiteTable, ReachesItsFreeStarts) {
+  const Problem problem = problem_of({20, 20, 0}, {-20, -20, 0}, {}, {-60, 60, -60, 60});
+  SiteTableOptions options = coarse;
+  const auto reach = [&](const std::vector<Pose>& starts) {
+    options.starts = starts;
+    return table_to(problem, drivers_options(), options).bounds().x_max;
+  };
+  const double without = reach({});
+  EXPECT_NEAR(without, 0.0, 2.0);
+  EXPECT_NEAR(reach({{20, 20, 0}, {-30, 0, 1}}), 40.0, 2.0);
+  EXPECT_EQ(reach({{61, 0, 0}}), without);  // outside of the bounds
+  EXPECT_FALSE(std::isinf(table_to(problem, drivers_options(), {.starts = {problem.start()}})
+                              .cost(problem.start(), 0)));
+  EXPECT_EQ(refusal([&] { (void)reach({{20, 20, 0}, {NAN, 0, 0}}); }).substr(0, 10), "starts[1]:");
+}
+
 TEST(SiteTable, KnowsNoWayThroughAWall) {
   const std::vector<Polygon> wall = {box(-40, 5, 40, 6)};
   const Problem problem = problem_of({20, 20, 0}, {0, 0, 0}, wall, area);

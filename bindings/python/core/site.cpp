@@ -84,7 +84,10 @@ SiteTable make_table(const CheckedScenario& scenario, const py::object& goals, i
   const Problem& problem = scenario.problem();
   const PlanOptions options = site_options(scenario, keywords);
   return table_of(problem, goals_of(problem, options, goals), options,
-                  {.headings = headings, .cell = cell, .threads = threads_of(jobs)});
+                  {.headings = headings,
+                   .cell = cell,
+                   .threads = threads_of(jobs),
+                   .starts = {problem.start()}});
 }
 
 std::shared_ptr<SharedSiteTable> changing_table(const CheckedScenario& scenario,
@@ -94,7 +97,8 @@ std::shared_ptr<SharedSiteTable> changing_table(const CheckedScenario& scenario,
   const PlanOptions options = site_options(scenario, keywords);
   const std::vector<Pose> poses = goals_of(problem, options, goals);
   const py::gil_scoped_release release;
-  const SiteTableOptions wanted{.headings = headings, .cell = cell, .threads = threads_of(jobs)};
+  const SiteTableOptions wanted{
+      .headings = headings, .cell = cell, .threads = threads_of(jobs), .starts = {problem.start()}};
   return std::make_shared<SharedSiteTable>(
       SharedSiteTable{ChangingSiteTable(problem, poses, options, wanted)});
 }
@@ -147,9 +151,9 @@ py::tuple matrix(const CheckedScenario& scenario, const py::object& starts, cons
   const PlanOptions options = site_options(scenario, keywords, iterations);
   const std::vector<Pose> from = list_of(starts, "starts");
   const bool is_table = py::isinstance<SiteTable>(goals);
-  const SiteTable table =
-      is_table ? goals.cast<SiteTable>()
-               : table_of(problem, list_of(goals, "goals"), options, {.threads = threads_of(jobs)});
+  const SiteTable table = is_table ? goals.cast<SiteTable>()
+                                   : table_of(problem, list_of(goals, "goals"), options,
+                                              {.threads = threads_of(jobs), .starts = from});
   const std::vector<SiteCost> costs =
       costs_between(problem, from, table, options, threads_of(jobs), iterations.has_value());
   const std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(from.size()),

@@ -83,6 +83,7 @@ SiteWish site_wish_from(const val& query, const Problem& problem, const PlanOpti
   SiteWish wish{.goals = goals_at(query, problem, options), .options = {}};
   wish.options.headings = headings_at(query, wish.options.headings);
   wish.options.cell = number_at(query, "cell", "", wish.options.cell);
+  wish.options.starts = {problem.start()};
   if (!progress.isUndefined()) {
     wish.options.progress = [&](std::size_t goals) { progress(static_cast<double>(goals)); };
   }
