@@ -69,21 +69,18 @@ InputError by_line(const InputError& error, const MatrixArguments& arguments, co
   return named_by_line(of_goal, "starts", arguments.starts, ends.starts);
 }
 
-/// The table that is given, or else made for these ends. Throws InputError if it has other goals. A
+/// The table that is given, or else made for these ends. Throws InputError if it lacks a goal. A
 /// pose that is wrong is named by its line.
 SiteTable table_of(const MatrixArguments& arguments, const Problem& problem, const Ends& ends,
                    const PlanOptions& options, const std::stop_token& stop) {
-  if (arguments.site) {
-    SiteTable table = read_site_table(*arguments.site);
-    if (table.goals() == ends.goals.poses) return table;
-    throw InputError(arguments.goals, "has other goals than " + *arguments.site +
-                                          ", expected the same in the same order");
-  }
   std::optional<SiteTable> table;
   try {
-    table = make_site_table(
-        problem, ends.goals.poses, options,
-        {.threads = threads_of(arguments.jobs), .stop = stop, .starts = ends.starts.poses});
+    if (arguments.site) return read_site_table(*arguments.site).with_goals(ends.goals.poses);
+    table = make_site_table(problem, ends.goals.poses, options,
+                            {.threads = threads_of(arguments.jobs),
+                             .stop = stop,
+                             .starts = ends.starts.poses,
+                             .allows_blocked_goals = true});
   } catch (const InputError& error) {
     if (error.where() != "cell") throw by_line(error, arguments, ends);
     throw InputError(arguments.starts,
@@ -132,11 +129,29 @@ const char* reason_of(SiteOutcome outcome) {
   }
 }
 
-/// A line for each start and reason: "starts.csv:3: no cost to goals 0, 2: the start is not free".
+/// A line for each goal that is not free: "goals.csv:3: goal 1 has no costs: the goal is not free".
 /// Goals are numbered as in the output.
-std::vector<std::string> empty_entries(const MatrixArguments& arguments, const Ends& ends,
+std::vector<std::string> blocked_goals(const MatrixArguments& arguments, const Ends& ends,
                                        const std::vector<SiteCost>& costs) {
   std::vector<std::string> lines;
+  const std::size_t goals = ends.goals.poses.size();
+  for (std::size_t j = 0; j < goals; ++j) {
+    for (std::size_t i = j; i < costs.size(); i += goals) {
+      if (costs[i].outcome != SiteOutcome::goal_in_collision) continue;
+      lines.push_back(fmt::format("{}: goal {} has no costs: {}",
+                                  line_of_file(arguments.goals, ends.goals.lines[j]), j,
+                                  reason_of(costs[i].outcome)));
+      break;
+    }
+  }
+  return lines;
+}
+
+/// A line for each start and reason: "starts.csv:3: start 1 has no cost to goals 0, 2: the start is
+/// not free". Starts and goals are numbered as in the output. Goals that are not free are left out.
+std::vector<std::string> empty_entries(const MatrixArguments& arguments, const Ends& ends,
+                                       const std::vector<SiteCost>& costs) {
+  std::vector<std::string> lines = blocked_goals(arguments, ends, costs);
   const std::size_t goals = ends.goals.poses.size();
   for (std::size_t i = 0; i < ends.starts.poses.size(); ++i) {
     std::map<SiteOutcome, std::vector<std::size_t>> empty;
@@ -144,13 +159,14 @@ std::vector<std::string> empty_entries(const MatrixArguments& arguments, const E
       const SiteCost& cost = costs[i * goals + j];
       if (std::isinf(cost.cost)) empty[cost.outcome].push_back(j);
     }
+    empty.erase(SiteOutcome::goal_in_collision);
     for (const auto& [outcome, to] : empty) {
       const std::string which =
           to.size() == goals
               ? "any goal"
               : fmt::format("goal{} {}", to.size() == 1 ? "" : "s", fmt::join(to, ", "));
-      lines.push_back(fmt::format("{}: no cost to {}: {}",
-                                  line_of_file(arguments.starts, ends.starts.lines[i]), which,
+      lines.push_back(fmt::format("{}: start {} has no cost to {}: {}",
+                                  line_of_file(arguments.starts, ends.starts.lines[i]), i, which,
                                   reason_of(outcome)));
     }
   }
@@ -231,7 +247,7 @@ void add_matrix(CLI::App& vandplan, int& status) {
   add("--goals", arguments->goals, "Goals (CSV: x, y, heading)");
   command
       ->add_option("--site", arguments->site,
-                   "Table with these goals, see `vandplan table site`; default: one is made")
+                   "Table that has these goals, see `vandplan table site`; default: one is made")
       ->type_name("FILE");
   add_site_settings(*command, arguments->options);
   command

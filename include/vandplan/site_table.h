@@ -49,6 +49,7 @@ struct SiteTableOptions {
   /// Poses in the scenario's frame that lie in the table's box, besides goals and obstacles. Those
   /// that are not free do not count.
   std::vector<Pose> starts = {};
+  bool allows_blocked_goals = false;  ///< a goal that is not free has no ways, and is no error
 };
 
 /// Costs of driving from everywhere on a site to each of some goals, for one vehicle and its
@@ -81,6 +82,10 @@ class SiteTable {
 
   /// Checks that a pose is one of the goals. Throws InputError naming `where` if it is none.
   void expect_goal(const Pose& goal, const std::string& where = "site") const;
+
+  /// The table of some of the goals, in this order. Throws InputError naming "goals[2]" for one
+  /// that the table lacks.
+  [[nodiscard]] SiteTable with_goals(std::span<const Pose> goals) const;
 
   /// A table of numbers, and the numbers of a table, for the library alone.
   explicit SiteTable(std::shared_ptr<const sites::SiteData> data);

@@ -210,6 +210,11 @@ std::optional<SiteEntry> SiteData::find(const SiteLayer& layer,
   return entry;
 }
 
+std::string_view SiteData::numbers(const SiteLayer& layer) const {
+  return bytes.substr(static_cast<std::size_t>(layer.at),
+                      static_cast<std::size_t>(size_of(grid, layer)));
+}
+
 SiteState SiteData::after(const SiteState& state, const SiteEntry& entry) const noexcept {
   const int headings = grid.headings;
   return {.column = state.column + entry.columns,

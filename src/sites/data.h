@@ -118,6 +118,8 @@ struct SiteData {
   /// The entry of a state; none if it was not reached, or lies outside.
   [[nodiscard]] std::optional<SiteEntry> find(const SiteLayer& layer,
                                               const SiteState& state) const noexcept;
+  /// The numbers of a layer.
+  [[nodiscard]] std::string_view numbers(const SiteLayer& layer) const;
   /// The state after the step of an entry.
   [[nodiscard]] SiteState after(const SiteState& state, const SiteEntry& entry) const noexcept;
 };

@@ -21,6 +21,7 @@
 #include "sites/ground_changes.h"
 #include "sites/key.h"
 #include "sites/site.h"
+#include "sites/way.h"
 #include "vandplan/input_error.h"
 #include "vandplan/site_table.h"
 #include "vandplan/vehicle.h"
@@ -30,11 +31,10 @@ namespace {
 
 using sites::GroundChange, sites::SeenGround, sites::Site, sites::SiteField, sites::SiteLayer;
 
-/// The table of these numbers, for the world of a problem.
-SiteTable table_of(const Problem& problem, const PlanOptions& options, const sites::SiteGrid& grid,
+/// The table of these numbers.
+SiteTable table_of(const sites::SiteKey& key, const sites::SiteGrid& grid,
                    const std::vector<SiteLayer>& layers,
                    std::span<const std::string_view> numbers) {
-  const sites::SiteKey key = sites::site_key(*problem.world(), problem.vehicle(), options);
   const auto bytes =
       std::make_shared<const std::string>(sites::site_to_bytes(key, grid, layers, numbers));
   return site_table_from_bytes(*bytes, bytes, "site");
@@ -70,7 +70,21 @@ std::optional<SiteTable> make_site_table(const Problem& problem, std::span<const
   });
   if (!is_made) return std::nullopt;
   const std::vector<std::string_view> views(numbers.begin(), numbers.end());
-  return table_of(problem, options, site.grid, layers, views);
+  return table_of(sites::site_key(*problem.world(), problem.vehicle(), options), site.grid, layers,
+                  views);
+}
+
+SiteTable SiteTable::with_goals(std::span<const Pose> goals) const {
+  sites::require(!goals.empty(), "goals", "at least one");
+  if (std::equal(goals.begin(), goals.end(), goals_.begin(), goals_.end())) return *this;
+  std::vector<SiteLayer> layers;
+  std::vector<std::string_view> numbers;
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    expect_goal(goals[i], sites::place_in("goals", i));
+    layers.push_back(data_->layers[*sites::number_of(goals_, goals[i])]);
+    numbers.push_back(data_->numbers(layers.back()));
+  }
+  return table_of(data_->key, data_->grid, layers, numbers);
 }
 
 // ---- sites that change ----
@@ -187,7 +201,8 @@ class ChangingSiteTable::Impl {
       layers.push_back(ways.is_current ? ways.layer : SiteLayer{.goal = ways.layer.goal});
       numbers.push_back(ways.is_current ? ways.numbers : none);
     }
-    table_ = table_of(problem, options_, grid_, layers, numbers);
+    table_ = table_of(sites::site_key(*problem.world(), problem.vehicle(), options_), grid_, layers,
+                      numbers);
   }
 
   PlanOptions options_;

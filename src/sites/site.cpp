@@ -120,7 +120,10 @@ Site site_of(const Problem& problem, std::span<const Pose> goals, const PlanOpti
   for (std::size_t i = 0; i < goals.size(); ++i) {
     site.tasks.push_back(task_to(problem, goals[i], i, options));
     const Task& task = site.tasks.back();
-    if (!task.checker->is_free(task.goal)) throw InputError(place_in("goals", i), "is not free");
+    if (table.allows_blocked_goals || task.checker->is_free(task.goal)) continue;
+    throw InputError(place_in("goals", i),
+                     "is not free (of obstacles, or by zones), expected a pose where the vehicle "
+                     "can stand");
   }
   site.box = box_around(site.tasks, without_trailer(problem), table.starts);
   site.grid = grid_of(site.box, site.tasks.front(), table);

@@ -392,7 +392,9 @@ TEST_F(TableCommand, OfASiteIsRefusedElsewhere) {
             "--cell: expected 0.01 to 1 turning radii");
   write_content(folder_ / "docks.csv", "20,-10,1\n5,5.5,0\n");
   EXPECT_EQ(complaint({"site", scenario, "--goals", folder_ / "docks.csv", "-o", output}),
-            (folder_ / "docks.csv") + ":2: is not free");
+            (folder_ / "docks.csv") +
+                ":2: is not free (of obstacles, or by zones), expected a pose "
+                "where the vehicle can stand");
   write_content(folder_ / "docks.csv", "20,-10,1\n0,0\n");
   EXPECT_EQ(
       complaint({"site", scenario, "--goals", folder_ / "docks.csv", "-o", folder_ / "x.vst"}),
@@ -496,16 +498,18 @@ TEST_F(TableCommand, AMatrixSaysWhyAnEntryIsEmpty) {
                                folder_ / "m.csv", "--json"});
     return run_vandplan(more);
   };
-  const std::string in_wall = "vandplan: warning: " + starts +
-                              ":4: no cost to any goal: the start is not free (of obstacles, or by "
-                              "zones)\n";
+  const std::string in_wall =
+      "vandplan: warning: " + starts +
+      ":4: start 1 has no cost to any goal: the start is not free (of obstacles, or by "
+      "zones)\n";
   const Outcome ways = matrix({});
   EXPECT_EQ(ways.status, 0);
   EXPECT_EQ(ways.err, in_wall);  // the table was made for these starts
   (void)json_of({"site", scenario, "--goals", goals, "-o", folder_ / "yard.vst"});
   const Outcome known = matrix({"--site", folder_ / "yard.vst"});
-  EXPECT_EQ(known.err, in_wall + "vandplan: warning: " + starts +
-                           ":5: no cost to any goal: the start is outside of the table\n");
+  EXPECT_EQ(known.err,
+            in_wall + "vandplan: warning: " + starts +
+                ":5: start 2 has no cost to any goal: the start is outside of the table\n");
   const Json counts = Json::parse(known.out);
   EXPECT_EQ(counts["with_way"], 2);
   EXPECT_EQ(counts["without"], Json::parse(R"({"start_in_collision": 2, "outside": 2})"));
@@ -513,7 +517,13 @@ TEST_F(TableCommand, AMatrixSaysWhyAnEntryIsEmpty) {
   EXPECT_EQ(plans.err, in_wall);
   EXPECT_EQ(Json::parse(plans.out)["without"], Json::parse(R"({"start_in_collision": 2})"));
   write_content(goals, "20,-10,1\n5,5.5,0\n");
-  EXPECT_EQ(matrix({}).err, "vandplan: " + goals + ":2: is not free\n");
+  const Outcome blocked = matrix({});
+  EXPECT_EQ(blocked.err, "vandplan: warning: " + goals +
+                             ":2: goal 1 has no costs: the goal is not free (of obstacles, or by "
+                             "zones)\n" +
+                             in_wall);
+  EXPECT_EQ(Json::parse(blocked.out)["without"],
+            Json::parse(R"({"goal_in_collision": 2, "start_in_collision": 2})"));
   write_content(goals, "20,-10,1\n0,0,0\n");
   std::string many;
   for (int i = 0; i < 30; ++i) many += "5,5.5,0\n";
@@ -560,10 +570,16 @@ TEST_F(TableCommand, OfASiteGivesAMatrix) {
   EXPECT_NE(planned.find("\n1,0,,0\n"), std::string::npos) << planned;
   EXPECT_EQ(planned.find("\n0,0,,"), std::string::npos) << planned;
   EXPECT_EQ(matrix({"--site", table, "--max-iterations", "0"}).status, 2);
-  write_content(scenario, yard_from("{x: 10, y: 15, heading: 3}"));
-  write_content(goals, "20,-10,1\n");
-  EXPECT_EQ(matrix({"--site", table}).err, "vandplan: " + goals + ": has other goals than " +
-                                               table + ", expected the same in the same order\n");
+  write_content(scenario, yard_from("{x: -17, y: 15, heading: 1}"));
+  write_content(goals, "0,0,0\n1,0,0\n");
+  EXPECT_EQ(matrix({"--site", table}).err,
+            "vandplan: " + goals + ":2: the table has no such goal, expected one of its 2\n");
+  write_content(goals, "0,0,0\n");
+  write_content(folder_ / "starts.csv", "10,15,3\n");
+  EXPECT_EQ(matrix({"--site", table}).status, 0);
+  const std::string row = made.substr(made.find("\n0,1,") + 5);
+  EXPECT_EQ(content_of(folder_ / "m.csv"),
+            "start,goal,cost,lower_bound\n0,0," + row.substr(0, row.find('\n') + 1));
 }
 
 }  // namespace

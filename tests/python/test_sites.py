@@ -67,6 +67,11 @@ def test_a_matrix_has_a_row_for_each_start(yard, table):
     assert np.allclose(made[0, 0], cost[0, 0], rtol=0.1)
 
 
+def test_a_matrix_reaches_its_starts_and_leaves_out_goals_that_are_not_free(yard):
+    cost, bound = vp.matrix(yard, [(45, 45, 0), (-45, -45, 0)], [(0, 12, 0), (0, 6, 0)])
+    assert np.isfinite(cost[:, 0]).all() and np.isinf(cost[:, 1]).all() and (bound > 0).all()
+
+
 def test_a_pair_whose_goal_the_table_lacks_is_named(yard, table):
     with pytest.raises(vp.InputError, match=r"^goals\[1\]: the table has no such goal"):
         vp.plan_many(yard, yard.start, [(0, 12, 0), (0, 13, 0)], site=table)

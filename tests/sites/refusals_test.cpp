@@ -127,7 +127,10 @@ TEST(SiteRefusal, IsRefusedWithOptionsOutOfRange) {
   EXPECT_EQ(told(goals, {.headings = 7}, drivers_options()), "headings: expected 8 to 256");
   EXPECT_EQ(told(goals, {.cell = 2}, drivers_options()), "cell: expected 0.01 to 1 turning radii");
   EXPECT_EQ(told(goals, {.threads = 0}, drivers_options()), "threads: expected 1 to 256");
-  EXPECT_EQ(told({{0, 0, 0}, {10, 10, 0}}, coarse, drivers_options()), "goals[1]: is not free");
+  EXPECT_EQ(
+      told({{0, 0, 0}, {10, 10, 0}}, coarse, drivers_options()),
+      "goals[1]: is not free (of obstacles, or by zones), expected a pose where the vehicle can "
+      "stand");
   PlanOptions by_time = drivers_options();
   by_time.cost = {.measure = CostMeasure::time};
   EXPECT_EQ(told(goals, coarse, by_time), "cost: expected prices: a table knows no times");
@@ -145,6 +148,9 @@ TEST(SiteRefusal, NamesAGoalThatTheTableLacks) {
               table.expect_goal({0, 0, 0.01});
             }),
             "site: the table has no such goal, expected one of its 1");
+  const std::vector<Pose> other = {{0, 0, 0}, {1, 0, 0}};
+  EXPECT_EQ(refusal([&] { (void)table.with_goals(other); }),
+            "goals[1]: the table has no such goal, expected one of its 1");
   EXPECT_EQ(refusal([&] {
               table.expect_goal({0, 1, 0}, "pairs.csv:3");
             }),

@@ -447,6 +447,34 @@ TEST(SiteTable, ThreadsChangeNothing) {
   }
 }
 
+TEST(SiteTable, OfSomeGoalsIsThatMadeForThem) {
+  const Problem problem =
+      problem_of({20, 0, 0}, {0, 0, 0}, {box(-39, -39, 39, -38), box(-39, 38, 39, 39)}, area);
+  const auto made = [&](const std::vector<Pose>& goals) {
+    return make_site_table(problem, goals, drivers_options(), coarse).value();
+  };
+  const SiteTable all = made({{0, 0, 0}, {10, -5, 2}, {-20, 3, 1}});
+  const std::vector<Pose> some = {{-20, 3, 1}, {0, 0, 0}};
+  const SiteTable chosen = all.with_goals(some);
+  EXPECT_EQ(chosen.goals(), some);
+  EXPECT_EQ(chosen.cost({10, 10, 0}, 0), all.cost({10, 10, 0}, 2));
+  EXPECT_EQ(site_table_to_bytes(chosen), site_table_to_bytes(made(some)));
+}
+
+TEST(SiteMatrix, HasNoCostToAGoalThatIsNotFree) {
+  const Problem problem = problem_of({20, 0, 0}, {0, 0, 0}, {box(9, 9, 12, 12)}, area);
+  SiteTableOptions options = coarse;
+  options.allows_blocked_goals = true;
+  const std::vector<Pose> goals = {{10, 10, 0}, {0, 0, 0}};
+  const SiteTable table = make_site_table(problem, goals, drivers_options(), options).value();
+  const std::vector<Pose> starts = {{18, 15, 0}};
+  const std::vector<SiteCost> costs = site_matrix(table, problem, starts, drivers_options());
+  EXPECT_EQ(costs[0].outcome, SiteOutcome::goal_in_collision);
+  EXPECT_TRUE(std::isinf(costs[0].cost));
+  EXPECT_GT(costs[0].lower_bound, 0.0);
+  EXPECT_EQ(costs[1].outcome, SiteOutcome::way);
+}
+
 TEST(SiteTable, IsNotMadeWhenStopped) {
   const Problem problem = problem_of({20, 0, 0}, {0, 0, 0}, {}, area);
   std::stop_source stop;

@@ -151,9 +151,11 @@ py::tuple matrix(const CheckedScenario& scenario, const py::object& starts, cons
   const PlanOptions options = site_options(scenario, keywords, iterations);
   const std::vector<Pose> from = list_of(starts, "starts");
   const bool is_table = py::isinstance<SiteTable>(goals);
-  const SiteTable table = is_table ? goals.cast<SiteTable>()
-                                   : table_of(problem, list_of(goals, "goals"), options,
-                                              {.threads = threads_of(jobs), .starts = from});
+  const SiteTable table =
+      is_table
+          ? goals.cast<SiteTable>()
+          : table_of(problem, list_of(goals, "goals"), options,
+                     {.threads = threads_of(jobs), .starts = from, .allows_blocked_goals = true});
   const std::vector<SiteCost> costs =
       costs_between(problem, from, table, options, threads_of(jobs), iterations.has_value());
   const std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(from.size()),
