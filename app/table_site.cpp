@@ -38,11 +38,23 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
+/// Throws InputError if goals of a row have obstacles of their own: a table is of one world.
+void expect_one_world(const SiteArguments& arguments, const std::vector<RowGoal>& row) {
+  for (std::size_t i = 1; i < row.size(); ++i) {
+    if (row[i].obstacles == row.front().obstacles) continue;
+    throw InputError(arguments.scenario,
+                     fmt::format("goals[{}] has other obstacles than goals[0], expected the same, "
+                                 "as a table is of one world, or --goals FILE.csv",
+                                 i));
+  }
+}
+
 /// Goals of the table: of the file, or of the scenario. Throws InputError if a goal is a set of
-/// infinitely many.
+/// infinitely many, or goals have obstacles of their own.
 Poses goals_of(const SiteArguments& arguments, const ScenarioProblems& read,
                const PlanOptions& options) {
   if (arguments.goals) return poses_in(*arguments.goals);
+  expect_one_world(arguments, read.file.row);
   Poses goals;
   for (const Problem& problem : read.problems) {
     SiteGoals more;

@@ -452,6 +452,28 @@ TEST_F(TableCommand, OfASiteTakesTheGoalsOfASet) {
                 "poses: --goals FILE.csv");
 }
 
+TEST_F(TableCommand, OfASiteTakesARowOfGoalsInOneWorld) {
+  const std::string scenario = folder_ / "row.yaml";
+  const std::string table = folder_ / "row.vst";
+  const auto with_obstacles = [&](const std::string& own) {
+    std::string text = yard_from("{x: 10, y: 15, heading: 3}");
+    const std::string goal = "goal: {x: 0, y: 0, heading: 0}\n";
+    text.replace(text.find(goal), goal.size(),
+                 "goals:\n  - {distance: 1, goal: {x: 0, y: 0, heading: 0}}\n"
+                 "  - {distance: 2, goal: {x: 20, y: -10, heading: 1}" +
+                     own + "}\n");
+    write_content(scenario, text);
+  };
+  with_obstacles(", obstacles: [[[-20, -20], [-19, -20], [-19, -19]]]");
+  EXPECT_EQ(complaint({"site", scenario, "-o", table}),
+            scenario +
+                ": goals[1] has other obstacles than goals[0], expected the same, as a table is of "
+                "one world, or --goals FILE.csv");
+  with_obstacles("");
+  EXPECT_EQ(json_of({"site", scenario, "-o", table})["goals"], 2);
+  EXPECT_EQ(run_vandplan({"plan", scenario, "--site", table, "--max-iterations", "99"}).status, 0);
+}
+
 TEST_F(TableCommand, OfASiteSaysWhichOptionsMeanNothing) {
   const std::string scenario = folder_ / "a.yaml";
   const std::string goals = folder_ / "goals.csv";
