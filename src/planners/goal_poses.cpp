@@ -238,13 +238,16 @@ std::vector<RegionPart> whole(const GoalRegion& region, std::size_t index) {
   return parts;
 }
 
-std::array<RegionPart, 2> halves(const GoalRegion& region, double radius, const RegionPart& part) {
+namespace {
+
+/// Both halves of a part, cut along the interval for whose half `way_of` is largest.
+template <class WayOf>
+std::array<RegionPart, 2> cut(const GoalRegion& region, const RegionPart& part, WayOf way_of) {
   const std::array<double, 4> widths = widths_of(region);
   std::size_t axis = 0;
   double most = -1.0;
   for (std::size_t i = 0; i < widths.size(); ++i) {
-    const double half = part.half[i] * widths[i];
-    const double way = i == x || i == y ? half + 2 * std::sqrt(radius * half) : radius * half;
+    const double way = way_of(i == x || i == y, part.half[i] * widths[i]);
     if (way <= most) continue;
     most = way;
     axis = i;
@@ -256,6 +259,20 @@ std::array<RegionPart, 2> halves(const GoalRegion& region, double radius, const 
     half.middle.at[axis] += (side == 0 ? -1 : 1) * half.half[axis];
   }
   return parts;
+}
+
+}  // namespace
+
+std::array<RegionPart, 2> halves(const GoalRegion& region, double radius, const RegionPart& part) {
+  return cut(region, part, [radius](bool is_place, double half) {
+    return is_place ? half + 2 * std::sqrt(radius * half) : radius * half;
+  });
+}
+
+std::array<RegionPart, 2> halves_in_space(const GoalRegion& region, double reach,
+                                          const RegionPart& part) {
+  return cut(region, part,
+             [reach](bool is_place, double half) { return is_place ? half : reach * half; });
 }
 
 PlacedPart placed(const Vehicle& vehicle, const GoalRegion& region, const RegionPart& part) {

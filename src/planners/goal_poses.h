@@ -82,6 +82,11 @@ struct RegionPart {
 [[nodiscard]] std::array<RegionPart, 2> halves(const GoalRegion& region, double radius,
                                                const RegionPart& part);
 
+/// Both halves of a part, cut along the interval in which a body moves most that reaches `reach`
+/// [m] from its axle.
+[[nodiscard]] std::array<RegionPart, 2> halves_in_space(const GoalRegion& region, double reach,
+                                                        const RegionPart& part);
+
 /// Where the vehicle is in a part, up to the judge's tolerance.
 struct PlacedPart {
   Pose pose;              ///< all poses are near this one

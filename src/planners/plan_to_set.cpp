@@ -71,7 +71,7 @@ class SetRun {
   }
 
   [[nodiscard]] PlannerAnswer answer() {
-    if (!join()) return goals_.without_goals();
+    if (!join() && !(goals_.look_closer() && join())) return goals_.without_goals();
     while (!is_over()) {
       Candidate* const next = next_candidate();
       if (next != nullptr) go_on(*next);

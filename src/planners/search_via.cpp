@@ -114,14 +114,8 @@ class ViaSearch final : public PathSearch {
     answer.reason = reason_;
     if (nodes_.is_cut_short()) return answer;
     if (const std::optional<std::size_t> via = nodes_.empty_via()) {
-      const std::size_t poses = nodes_.looked_at(*via);
-      const std::string of_via = "of via[" + std::to_string(*via) + "] ";
-      const bool has_zones = !task_.world->local().zones.empty();
-      answer.reason = (poses == 1 ? "the pose " + of_via + "is not free"
-                                  : "none of the " + std::to_string(poses) + " poses " + of_via +
-                                        "that were looked at is free") +
-                      (has_zones ? ", or zones do not let the vehicle pass there" : "");
-      if (nodes_.are_all()) answer.status = PlanStatus::no_path;
+      answer.reason = nodes_.why_empty(*via);
+      answer.status = nodes_.is_closed(*via) ? PlanStatus::no_path : PlanStatus::node_limit;
     } else if (chain_.empty() && is_proven_ && nodes_.are_all()) {
       answer.status = PlanStatus::no_path;
     }

@@ -10,6 +10,7 @@
 
 #include "planners/anytime/cost_bound.h"
 #include "planners/commands/closer.h"
+#include "planners/free_parts.h"
 #include "planners/last_stretch.h"
 #include "planners/leg_bounds.h"
 #include "planners/towed.h"
@@ -95,14 +96,29 @@ void SetGoals::spread_out() {
         wait({bound_straight_to(state_of(task_, point)), order++, point});
         return true;
       }
-      if (!may_look()) return false;
-      std::optional<SetGoal> goal = at(point);
-      if (!goal) return false;
-      const double bound = goal->bound;
-      wait({bound, order++, point, std::make_unique<SetGoal>(*std::move(goal))});
-      return true;
+      return may_look() && wait_at(point, order++);
     });
   }
+}
+
+/// Lets the goal at a point wait; false if there is none.
+bool SetGoals::wait_at(const GoalPoint& point, std::size_t order) {
+  std::optional<SetGoal> goal = at(point);
+  if (!goal) return false;
+  const double bound = goal->bound;
+  wait({bound, order, point, std::make_unique<SetGoal>(*std::move(goal))});
+  return true;
+}
+
+bool SetGoals::look_closer() {
+  if (is_interrupted() || std::ranges::none_of(task_.goal_set, is_continuous)) return false;
+  const auto fits = [&](const GoalPoint& point) { return at(point).has_value(); };
+  Task set = task_;
+  if (options_.clearance.margin_ramp > 0.0) set.least_margin = 0.0;  // each goal has a ramp
+  const auto [points, is_proof] = free_points(set, pricing_.rule().only_gear(), budget_, fits);
+  is_none_free_ = is_proof;
+  for (const GoalPoint& point : points) (void)wait_at(point, waiting_.size());
+  return !is_interrupted() && !points.empty();
 }
 
 bool SetGoals::is_interrupted() {
@@ -193,13 +209,18 @@ double SetGoals::bound_of_regions() {
 PlannerAnswer SetGoals::without_goals() const {
   if (cut_short_) return {.status = *cut_short_};
   const std::string poses = " poses of the goal that were looked at ";
+  const bool has_intervals = std::ranges::any_of(task_.goal_set, is_continuous);
   if (free_ == 0) {
-    return {.status = PlanStatus::goal_in_collision,
-            .reason = "none of the " + std::to_string(looked_at_) + poses + "is free" +
-                      (is_kept_by_zones_ ? ", and zones let the vehicle come there" : "")};
+    const bool is_proven = !has_intervals || is_none_free_;
+    const std::string looked_at = "none of the " + std::to_string(looked_at_) + poses;
+    return {.status = is_proven ? PlanStatus::goal_in_collision : PlanStatus::node_limit,
+            .reason = (is_none_free_ ? "no pose of the goal " : looked_at) + "is free" +
+                      (is_kept_by_zones_ ? ", and zones let the vehicle come there" : "") +
+                      (is_proven ? "" : "; others may be")};
   }
-  const bool saw_each = saw_all_ && std::ranges::none_of(task_.goal_set, is_continuous);
-  return {.status = saw_each ? PlanStatus::no_path : PlanStatus::goal_in_collision,
+  const PlanStatus unproven =
+      has_intervals ? PlanStatus::node_limit : PlanStatus::goal_in_collision;
+  return {.status = saw_all_ && !has_intervals ? PlanStatus::no_path : unproven,
           .reason = "before none of the " + std::to_string(looked_at_) + poses +
                     "there is a free straight last stretch" +
                     (is_unsteady_ ? ": it is too long to back a trailer" : "")};

@@ -35,6 +35,9 @@ class SetGoals {
 
   /// Goals evenly spread over the set wait for their turn.
   void spread_out();
+  /// Looks for goals in ever smaller parts of the set, if no goal was found in it. False if there
+  /// are none.
+  bool look_closer();
   /// No goal that waits has a lower bound below this one; infinite if none waits.
   [[nodiscard]] double least_waiting() const;
   /// The goal with the least bound of those that wait; none if none waits, or if it was not looked
@@ -66,6 +69,7 @@ class SetGoals {
     std::unique_ptr<SetGoal> goal = {};
   };
   void wait(Waiting waiting);
+  bool wait_at(const GoalPoint& point, std::size_t order);
   [[nodiscard]] bool is_interrupted();
   [[nodiscard]] bool may_look();
   [[nodiscard]] double bound_to(const Task& to) const;
@@ -83,6 +87,7 @@ class SetGoals {
   std::size_t free_ = 0;          // goals where the vehicle can stand
   bool saw_all_ = true;
   std::optional<PlanStatus> cut_short_;  // how the budget ended before all were looked at
+  bool is_none_free_ = false;            // whether it is proven that no pose of the set is free
   bool is_kept_by_zones_ = false;        // whether zones do not let the vehicle come to a free pose
   bool is_unsteady_ = false;             // whether a last stretch is too long to back a trailer
   std::optional<double> bound_of_regions_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "planners/free_parts.h"
 #include "planners/zone_exits.h"
 #include "search/route.h"
 #include "vandplan/steering.h"
@@ -45,7 +46,24 @@ ViaNodes::ViaNodes(const Task& task, const search::CostRule& rule, const search:
         return true;
       });
     }
+    is_closed_.push_back(false);
+    if (nodes.empty() && !is_cut_short_) look_closer(index, budget);
   }
+}
+
+/// Looks for nodes in ever smaller parts of a via.
+void ViaNodes::look_closer(std::size_t via, const search::Budget& budget) {
+  const auto node_at = [&](const GoalPoint& point) {
+    return ViaNode{.point = point, .state = state_of(tasks_[via], point)};
+  };
+  const auto fits = [&](const GoalPoint& point) {
+    ++looked_at_[via];
+    return is_free(node_at(point));
+  };
+  const auto [points, is_proof] = free_points(tasks_[via], rule_.only_gear(), budget, fits);
+  is_cut_short_ = budget.is_interrupted();
+  is_closed_[via] = is_proof && std::ranges::all_of(task_.via[via].any_of, is_continuous);
+  for (const GoalPoint& point : points) add_gears(via, node_at(point), nodes_[via]);
 }
 
 bool ViaNodes::is_free(const ViaNode& node) const {
@@ -118,6 +136,17 @@ std::optional<std::size_t> ViaNodes::empty_via() const {
     if (nodes_[i].empty()) return i;
   }
   return std::nullopt;
+}
+
+std::string ViaNodes::why_empty(std::size_t via) const {
+  const std::size_t poses = looked_at_[via];
+  const std::string of_via = "of via[" + std::to_string(via) + "] ";
+  const bool has_zones = !task_.world->local().zones.empty();
+  const std::string taken = poses == 1        ? "the pose " + of_via + "is not free"
+                            : is_closed_[via] ? "no pose " + of_via + "is free"
+                                              : "none of the " + std::to_string(poses) + " poses " +
+                                                    of_via + "that were looked at is free";
+  return taken + (has_zones ? ", or zones do not let the vehicle pass there" : "");
 }
 
 bool ViaNodes::are_all() const {

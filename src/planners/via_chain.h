@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -42,8 +43,12 @@ class ViaNodes {
   [[nodiscard]] std::optional<std::size_t> empty_via() const;
   /// Whether the budget was interrupted before all poses were looked at.
   [[nodiscard]] bool is_cut_short() const { return is_cut_short_; }
+  /// Whether it is proven that no path passes a via.
+  [[nodiscard]] bool is_closed(std::size_t via) const { return are_all() || is_closed_[via]; }
   /// Number of poses of a via that were looked at.
   [[nodiscard]] std::size_t looked_at(std::size_t via) const { return looked_at_[via]; }
+  /// Why a via has no free pose, as a reason.
+  [[nodiscard]] std::string why_empty(std::size_t via) const;
   /// Whether all vias are single poses, all of which are nodes.
   [[nodiscard]] bool are_all() const;
 
@@ -82,12 +87,14 @@ class ViaNodes {
   [[nodiscard]] bool is_free(const ViaNode& node) const;
   [[nodiscard]] double sharpest_through() const;
   void add_gears(std::size_t via, const ViaNode& node, std::vector<ViaNode>& nodes) const;
+  void look_closer(std::size_t via, const search::Budget& budget);
 
   const Task& task_;
   search::CostRule rule_;
   std::vector<Task> tasks_;  // of each via: a task with the via as its set of goals
   std::vector<std::vector<ViaNode>> nodes_;
   std::vector<std::size_t> looked_at_;
+  std::vector<bool> is_closed_;  // of each via: whether it is proven that none of it is free
   bool is_cut_short_ = false;
   std::set<LegKey> lost_;                                      // legs that were given up
   std::map<std::pair<std::size_t, std::size_t>, int> doubts_;  // of the nodes of each via

@@ -172,6 +172,40 @@ TEST(GoalSet, SaysThatNoGoalIsFree) {
             std::string::npos);
 }
 
+/// An area with a slot along x that is wider than the vehicle by `room` [m].
+Scenario slot(double room) {
+  GoalRegion area{.area = {{20, -10}, {40, -10}, {40, 10}, {20, 10}}, .heading = any_heading};
+  const double side = 1.275 + room / 2;  // beside y = 0.3
+  return yard({area}, {box(12, -25, 50, 0.3 - side), box(12, 0.3 + side, 50, 25)});
+}
+
+TEST(GoalSet, FindsANarrowSlotInAnArea) {
+  const Problem problem = make_problem(slot(0.1));
+  const PlanResult result = plan(problem, with_iterations(is_sanitized ? 200 : 3000));
+  EXPECT_NE(result.status, PlanStatus::goal_in_collision) << result.reason;
+  if (!is_sanitized) expect_at_goal(problem, result);
+}
+
+TEST(GoalSet, ProvesThatNothingOfAnAreaIsFree) {
+  const PlanResult result = plan(make_problem(slot(-0.1)), with_iterations(10));
+  EXPECT_EQ(result.status, PlanStatus::goal_in_collision);
+  EXPECT_EQ(result.reason, "no pose of the goal is free");
+  // A slot as wide as the vehicle is neither free nor surely taken.
+  const PlanResult unproven = plan(make_problem(slot(0.0)), with_iterations(10));
+  EXPECT_EQ(unproven.status, PlanStatus::node_limit);
+  EXPECT_TRUE(unproven.reason.ends_with("is free; others may be")) << unproven.reason;
+}
+
+TEST(GoalSet, OfAnOutlineInASlotIsFoundOrProvenToBeTaken) {
+  const auto status = [](double room) {
+    Scenario scenario = slot(room);
+    scenario.vehicle.outline = {{-1.6, -1.275}, {5.9, -1.275}, {5.9, 1.275}, {-1.6, 1.275}};
+    return plan(make_problem(scenario), with_iterations(is_sanitized ? 200 : 3000)).status;
+  };
+  EXPECT_NE(status(0.1), PlanStatus::goal_in_collision);
+  EXPECT_EQ(status(-1.0), PlanStatus::goal_in_collision);
+}
+
 TEST(GoalSet, ProvesThatAllGoalsAreWalledIn) {
   Scenario scenario = docks(3);
   scenario.obstacles.push_back(box(-60, 10, 100, 10.5));
@@ -463,7 +497,7 @@ TEST(GoalSet, SaysThatNothingComesStraightToAnArea) {
   bay.straight = 20;
   const PlanResult result = plan(
       make_problem(yard({bay}, {box(10, -9, 11, 9), box(50, -9, 51, 9)})), with_iterations(500));
-  EXPECT_EQ(result.status, PlanStatus::goal_in_collision);
+  EXPECT_EQ(result.status, PlanStatus::node_limit);  // nothing is proven
   EXPECT_TRUE(result.reason.ends_with("there is a free straight last stretch")) << result.reason;
   EXPECT_EQ(result.iterations, 0);
 }

@@ -162,6 +162,17 @@ TEST(Via, ProvesThatOneIsBlocked) {
   EXPECT_EQ(result.reason, "the pose of via[0] is not free");
 }
 
+TEST(Via, InANarrowSlotIsFoundOrProvenToBeTaken) {
+  const auto through = [](double room) {
+    const Via area{{{.area = {{10, -10}, {30, -10}, {30, 7}, {10, 7}}, .heading = any_heading}}};
+    const double side = 1.275 + room / 2;
+    return plan(make_problem(yard({area}, {box(8, -25, 32, -side), box(8, side, 32, 25)})),
+                via_options(20'000));
+  };
+  EXPECT_TRUE(is_sanitized || through(0.1).path);
+  EXPECT_EQ(through(-0.1).status, PlanStatus::no_path);
+}
+
 TEST(Via, LooksAtNoPoseOnceTheBudgetIsInterrupted) {
   const Problem problem = make_problem(yard({anyhow(20, 10), at({30, 0, 0})}));
   std::stop_source stop;
