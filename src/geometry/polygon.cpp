@@ -183,6 +183,57 @@ double distance_from_border(const Polygon& polygon, const Point& point) {
   return contains(polygon, point) ? -std::sqrt(least) : std::sqrt(least);
 }
 
+namespace {
+
+/// Shortens a side to its part in the bounds. False if none of it is inside of their edge.
+bool clip(const Bounds& bounds, Point& a, Point& b) {
+  double begin = 0.0, end = 1.0;
+  const auto cut = [&](double from, double to, double least, double most) {
+    if (std::max(from, to) <= least || std::min(from, to) >= most) return false;
+    const double way = to - from;
+    if (way == 0.0) return true;
+    const double first = (least - from) / way, last = (most - from) / way;
+    begin = std::max(begin, std::min(first, last));
+    end = std::min(end, std::max(first, last));
+    return true;
+  };
+  if (!cut(a.x, b.x, bounds.x_min, bounds.x_max) || !cut(a.y, b.y, bounds.y_min, bounds.y_max)) {
+    return false;
+  }
+  const Point from = a, to = b;
+  if (begin > 0.0) a = {from.x + begin * (to.x - from.x), from.y + begin * (to.y - from.y)};
+  if (end < 1.0) b = {from.x + end * (to.x - from.x), from.y + end * (to.y - from.y)};
+  return begin <= end;
+}
+
+Point moved_into(const Bounds& bounds, double by, const Point& p) {
+  return {std::clamp(p.x, bounds.x_min + by, bounds.x_max - by),
+          std::clamp(p.y, bounds.y_min + by, bounds.y_max - by)};
+}
+
+}  // namespace
+
+// The places are a convex set. If no border is inside of it, it is in the polygon as soon as one of
+// its inner places is.
+double distance_in_bounds(const Polygon& polygon, const Bounds& bounds, const Point& point) {
+  constexpr double inward = 1e-4;  // distance of the inner place from the edge of the bounds [m]
+  const double width = std::min(bounds.x_max - bounds.x_min, bounds.y_max - bounds.y_min);
+  if (!(width > 2 * inward)) return distance_from_border(polygon, point);
+  const Point place = moved_into(bounds, 0.0, point);
+  if (!contains(polygon, moved_into(bounds, inward, point))) {
+    return distance_from_border(polygon, point);
+  }
+  double least = std::numeric_limits<double>::infinity();
+  Point a = polygon.back();
+  for (const Point& b : polygon) {
+    Point from = a, to = b;
+    if (clip(bounds, from, to)) least = std::min(least, squared_distance_to_side(place, from, to));
+    a = b;
+  }
+  const double depth = std::sqrt(least);
+  return depth > 2 * inward ? -depth : distance_from_border(polygon, point);
+}
+
 }  // namespace vandplan::geometry
 
 namespace vandplan {

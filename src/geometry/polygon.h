@@ -22,6 +22,13 @@ namespace vandplan::geometry {
 /// Distance of a point from the border of a simple polygon [m]; negative inside.
 [[nodiscard]] double distance_from_border(const Polygon& polygon, const Point& point);
 
+/// `distance_from_border` for what stays in the bounds: outside the bounds and on their edge a
+/// border does not count inside of the polygon. A point outside the bounds is moved onto their
+/// edge. If the answer is -d, all places of the bounds that are up to d from the point are in the
+/// polygon.
+[[nodiscard]] double distance_in_bounds(const Polygon& polygon, const Bounds& bounds,
+                                        const Point& point);
+
 /// Whether two closed line segments have a point in common, decided exactly.
 [[nodiscard]] bool meet(const Point& a, const Point& b, const Point& c, const Point& d);
 

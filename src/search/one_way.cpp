@@ -30,7 +30,9 @@ bool bars_sense(const HeadingRange& allowed, int sense, double room) {
 
 // While the rear axle moves on by a metre, the centre moves by as much, and to the side by up to
 // its distance from the axle over the radius.
-OneWay::OneWay(const std::vector<Zone>& zones, const Disc& disc, double radius) {
+OneWay::OneWay(const std::vector<Zone>& zones, const Disc& disc, double radius,
+               const Bounds& bounds)
+    : bounds_(bounds) {
   const double room = slack_of_directions + std::atan(std::abs(disc.ahead) / radius);
   for (const Zone& zone : zones) {
     if (!zone.direction) continue;
@@ -59,14 +61,15 @@ std::vector<Bounds> OneWay::barring() const {
   return boxes;
 }
 
-bool OneWay::Street::holds(const Point& middle, double off) const {
-  return contains(geometry::widened(box, std::max(near, 0.0)), middle) &&
-         geometry::distance_from_border(area, middle) <= near - off - slack_of_sides;
+bool OneWay::Street::holds(const Bounds& bounds, const Point& middle, double off) const {
+  return contains(geometry::widened(box, std::max(near, 0.0) + off), middle) &&
+         geometry::distance_in_bounds(area, bounds, middle) <= near - off - slack_of_sides;
 }
 
 bool OneWay::bars(const Point& middle, double length, int sense) const {
   return std::any_of(streets_.begin(), streets_.end(), [&](const Street& street) {
-    return street.bars[static_cast<std::size_t>(sense)] && street.holds(middle, length / 2);
+    return street.bars[static_cast<std::size_t>(sense)] &&
+           street.holds(bounds_, middle, length / 2);
   });
 }
 
@@ -81,13 +84,13 @@ bool OneWay::forbids(const Point& centre, double off, double heading, double tur
     };
     const bool is_astray =
         (only < 0 || is_wrong(heading)) && (only > 0 || is_wrong(heading + std::numbers::pi));
-    return is_astray && street.holds(centre, off);
+    return is_astray && street.holds(bounds_, centre, off);
   });
 }
 
 int OneWay::street_of(const Point& middle, double off) const {
   const auto street = std::find_if(streets_.begin(), streets_.end(), [&](const Street& each) {
-    return each.onward && each.holds(middle, off);
+    return each.onward && each.holds(bounds_, middle, off);
   });
   return street == streets_.end() ? -1 : static_cast<int>(street - streets_.begin());
 }

@@ -10,6 +10,7 @@
 // place along it never falls.
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -21,10 +22,15 @@ namespace vandplan::search {
 
 /// The one-way streets of a ground. Senses: 0 is along x, then quarters of a turn.
 class OneWay {
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+  static constexpr Bounds everywhere{-infinite, infinite, -infinite, infinite};
+
  public:
   OneWay() = default;
-  /// For the centre of a disc in a body that turns with `radius` [m] at the tightest.
-  OneWay(const std::vector<Zone>& zones, const Disc& disc, double radius);
+  /// For the centre of a disc in a body that turns with `radius` [m] at the tightest. `bounds`: the
+  /// centre stays in them.
+  OneWay(const std::vector<Zone>& zones, const Disc& disc, double radius,
+         const Bounds& bounds = everywhere);
 
   /// Boxes around the areas of streets that bar a sense of crossing or lead onward.
   [[nodiscard]] std::vector<Bounds> barring() const;
@@ -56,9 +62,10 @@ class OneWay {
     std::array<bool, 4> bars;     // Whether it bars each sense.
     std::optional<Point> onward;  // Unit vector of its middle direction, if it leads onward.
 
-    /// Whether its rules surely hold at all places up to `off` [m] from a point.
-    [[nodiscard]] bool holds(const Point& middle, double off) const;
+    /// Whether its rules surely hold at all places of the bounds up to `off` [m] from a point.
+    [[nodiscard]] bool holds(const Bounds& bounds, const Point& middle, double off) const;
   };
+  Bounds bounds_ = everywhere;
   std::vector<Street> streets_;
 };
 

@@ -59,7 +59,8 @@ ZoneBound::ZoneBound(const Task& task, GearSign only, const MetreCost& cost)
     : task_(task),
       cost_(cost),
       clearance_(inner_radius(task.vehicle)),
-      one_way_(task.world->local().zones, {0.0, clearance_}, task.vehicle.min_turning_radius) {
+      one_way_(task.world->local().zones, {0.0, clearance_}, task.vehicle.min_turning_radius,
+               task.world->local().bounds) {
   const Surroundings& ground = task.world->local();
   for (const Zone& zone : ground.zones) {
     if (!zone.closed && (only == 0 || zone.gears != other_gear(only))) continue;
@@ -180,14 +181,15 @@ ZoneBound::Known& ZoneBound::known(std::int64_t cell) {
 /// Cost of a metre at the cheapest place of a cell; infinite if it is closed.
 double ZoneBound::metre_at(const Point& middle) const {
   const double reach = reach_of_cell(side_);
+  const Bounds& bounds = task_.world->local().bounds;
   for (const auto& [area, near] : closed_) {
-    if (geometry::distance_from_border(area, middle) <= near - reach) return endless;
+    if (geometry::distance_in_bounds(area, bounds, middle) <= near - reach) return endless;
   }
   if (!is_priced()) return 0.0;
   GroundPart part;
   for (const auto& [box, zone, near] : priced_) {
-    const bool holds_all =
-        contains(box, middle) && geometry::distance_from_border(zone->area, middle) <= near - reach;
+    const bool holds_all = contains(geometry::widened(box, reach), middle) &&
+                           geometry::distance_in_bounds(zone->area, bounds, middle) <= near - reach;
     if (!holds_all) continue;
     part.cost *= zone->cost;
     part.max_speed = std::min(part.max_speed, zone->max_speed.value_or(part.max_speed));

@@ -114,6 +114,31 @@ TEST(Polygon, ExchangingTwoCornersOfAConvexPolygonCrossesItsSides) {
   });
 }
 
+TEST(Polygon, AllPlacesOfTheBoundsUpToTheDepthAreInside) {
+  const Bounds bounds{-3, 3, -3, 3};  // many corners lie on their edge
+  int more = 0;
+  for_each_case(6, 50'000, [&](Rng& rng) {
+    const auto whole = [&rng] { return std::floor(uniform(-4, 5, rng)); };
+    Polygon polygon(static_cast<std::size_t>(uniform(3, 7, rng)));
+    for (Point& corner : polygon) corner = {whole(), whole()};
+    if (!flaw(polygon).empty()) return;
+    const Point middle{uniform(-4, 4, rng), uniform(-4, 4, rng)};
+    const double distance = geometry::distance_in_bounds(polygon, bounds, middle);
+    const double of_all = geometry::distance_from_border(polygon, middle);
+    ASSERT_LE(distance, std::max(of_all, 0.0)) << as_code(polygon);
+    if (distance < 0 && distance < of_all) ++more;
+    for (int i = 0; i < 20 && distance < 0; ++i) {
+      const double way = std::min(-distance, 9.0) * (1 - 1e-9);
+      const double angle = uniform(0, 7, rng), far = uniform(0, way, rng);
+      const Point place{middle.x + far * std::cos(angle), middle.y + far * std::sin(angle)};
+      if (contains(bounds, place)) {
+        ASSERT_TRUE(contains(polygon, place)) << as_code(polygon);
+      }
+    }
+  });
+  EXPECT_GT(more, 10);  // sanitizers have few cases
+}
+
 // ---- Whole numbers tell exactly who meets whom ----
 
 struct Node {

@@ -141,6 +141,33 @@ TEST(ZoneBound, KnowsThatHalfOfAllDirectionsIsOneWay) {
 }
 
 // A lattice over a large site takes neither time nor memory before it is flooded.
+/// A zone from side to side, between bounds in y and other ones.
+Scenario band(Zone zone, double edge) {
+  zone.area = box(18, -edge, 30, edge);
+  return {.bounds = {-10, 50, -20, 20}, .goal = {40, 0, 0}, .zones = {std::move(zone)}};
+}
+
+TEST(ZoneBound, KnowsThatNoWayLeadsBetweenAZoneAndTheBoundsOnItsEdge) {
+  const HeadingRange west{2.6, 3.7};
+  for (const Zone& zone : {Zone{.closed = true}, Zone{.direction = west}}) {
+    for (const double edge : {20.0, 20.2, 25.0}) EXPECT_TRUE(is_closed(band(zone, edge))) << edge;
+    EXPECT_FALSE(is_closed(band(zone, 19.999)));
+  }
+  const auto bound = [](double edge) {
+    return bound_of(make_problem(band({.cost = 5}, edge)).task(), {.priced = 1.0});
+  };
+  EXPECT_NEAR(bound(20), bound(25), 1e-6);
+  EXPECT_GT(bound(20), 0.9 * 4 * 12.0);
+  EXPECT_EQ(bound(19.999), 0.0);
+}
+
+TEST(ZoneBound, KnowsThatAZoneBesideTheBoundsClosesNothing) {
+  Scenario scenario{.bounds = {-10, 50, -0.3, 0.3}, .goal = {40, 0, 0}};
+  scenario.zones = {{.area = box(-20, 0.3, 60, 9), .closed = true},
+                    {.area = box(-20, -9, 60, -0.3), .closed = true}};
+  EXPECT_FALSE(is_closed(scenario));
+}
+
 TEST(ZoneBound, HoldsOnlyCellsNearItsFloods) {
   const Zone street{.area = box(12, -12, 28, 12), .direction = HeadingRange{-pi / 2, pi / 2}};
   Scenario scenario = turned_gate(0.0, {street});
