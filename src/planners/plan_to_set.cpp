@@ -14,6 +14,7 @@
 
 #include "planners/goal_poses.h"
 #include "planners/last_stretch.h"
+#include "planners/out_of_reach.h"
 #include "planners/pricing.h"
 #include "planners/set_goals.h"
 #include "vandplan/search.h"
@@ -208,6 +209,10 @@ class SetRun {
     const PlannerAnswer answer = goal.search->answer();
     goal.is_closed = goal.is_done && answer.status == PlanStatus::no_path;
     if (goal.is_closed) goal.bound = endless;
+    if (goal.is_closed && best_ == nullptr && may_be_walled_in_) {
+      may_be_walled_in_ = false;
+      is_walled_in_ = is_out_of_reach(task_, task_.goal_set, pricing_.rule().only_gear(), budget_);
+    }
     if (task_.moving.empty()) goal.bound = std::max(goal.bound, answer.lower_bound.value_or(0.0));
   }
 
@@ -289,7 +294,7 @@ class SetRun {
 
   /// [6] Whether the budget is spent, or the best cost is within `target_gap` of the bound.
   [[nodiscard]] bool is_over() {
-    if (budget_.exhausted()) return true;
+    if (is_walled_in_ || budget_.exhausted()) return true;
     const std::optional<double>& gap = options_.budget.target_gap;
     return gap && best_ != nullptr && best_->cost <= (1 + *gap) * lower_bound();
   }
@@ -318,14 +323,19 @@ class SetRun {
     answer.iterations = budget_.iterations();
     const bool all_closed =
         std::ranges::all_of(candidates_, [](const Candidate& goal) { return goal.is_closed; });
-    const bool is_open = goals_.least_waiting() < endless || !all_closed;
-    if (is_open || !goals_.saw_all() || goals_.bound_of_regions() < endless) return;
+    const bool is_open = goals_.least_waiting() < endless || !all_closed || !goals_.saw_all() ||
+                         goals_.bound_of_regions() < endless;
+    if (is_open && !is_walled_in_) return;
     answer.status = PlanStatus::no_path;
+    if (is_walled_in_) {
+      answer.reason = "proven: nothing gets from the start to any place of the goal";
+      return;
+    }
     const std::size_t closed = candidates_.size();
-    const std::string reason = candidates_.front().search->answer().reason;
-    answer.reason = reason;
-    if (closed > 1)
+    answer.reason = candidates_.front().search->answer().reason;
+    if (closed > 1) {
       answer.reason += "; so for all " + std::to_string(closed) + " goals that are free";
+    }
   }
 
   static constexpr std::int64_t max_turn_iterations = std::int64_t{1}
@@ -342,6 +352,8 @@ class SetRun {
   std::size_t joined_ = 0;  // candidates that were spread out over the set
   Candidate* best_ = nullptr;
   std::int64_t work_beside_ = 0;  // work on goals beside the best one [iterations]
+  bool may_be_walled_in_ = std::ranges::any_of(task_.goal_set, is_continuous);
+  bool is_walled_in_ = false;  // whether it is proven that no place of the set can be reached
   std::optional<Refinement> refinement_;
   std::vector<CostSample> trace_;
 };

@@ -116,7 +116,7 @@ class ViaSearch final : public PathSearch {
     if (const std::optional<std::size_t> via = nodes_.empty_via()) {
       answer.reason = nodes_.why_empty(*via);
       answer.status = nodes_.is_closed(*via) ? PlanStatus::no_path : PlanStatus::node_limit;
-    } else if (chain_.empty() && is_proven_ && nodes_.are_all()) {
+    } else if (is_walled_in_ || (chain_.empty() && is_proven_ && nodes_.are_all())) {
       answer.status = PlanStatus::no_path;
     }
     return answer;
@@ -249,13 +249,14 @@ class ViaSearch final : public PathSearch {
       return true;
     }
     is_proven_ = is_proven_ && leg.is_closed;
+    is_walled_in_ = leg.is_closed && nodes_.is_out_of_reach(i, budget_);
     if (!leg.reason.empty()) {
       const std::string end = i == chain_.size() ? "the goal" : "via[" + std::to_string(i) + "]";
       reason_ = "on the way to " + end + ": " + leg.reason;
     }
     nodes_.give_up(i, from, to);
     begin_chain();
-    return !chain_.empty();
+    return !chain_.empty() && !is_walled_in_;
   }
 
   /// Whether leg `i` fits behind the one before it.
@@ -370,7 +371,8 @@ class ViaSearch final : public PathSearch {
   std::int64_t iterations_ = 0, spent_on_legs_ = 0, spent_on_trials_ = 0;
   std::int64_t next_bound_ = 4 * work_of_turn;  // iteration at which the bound is looked at
   std::string reason_;                          // why the last leg that was given up has no path
-  bool is_proven_ = true;  // whether all legs that were given up are proven to have no path
+  bool is_walled_in_ = false;  // whether it is proven that a via or the goal cannot be reached
+  bool is_proven_ = true;      // whether all legs that were given up are proven to have no path
   std::deque<std::pair<std::size_t, ViaNode>> waiting_;  // nodes to try, with their vias
   std::optional<ViaTrial> trial_;
   double step_ = first_step_beside;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "planners/free_parts.h"
+#include "planners/out_of_reach.h"
 #include "planners/zone_exits.h"
 #include "search/route.h"
 #include "vandplan/steering.h"
@@ -147,6 +148,14 @@ std::string ViaNodes::why_empty(std::size_t via) const {
                                               : "none of the " + std::to_string(poses) + " poses " +
                                                     of_via + "that were looked at is free";
   return taken + (has_zones ? ", or zones do not let the vehicle pass there" : "");
+}
+
+bool ViaNodes::is_out_of_reach(std::size_t via, const search::Budget& budget) {
+  if (!looked_for_.insert(via).second) return false;
+  const State goal = goal_state(task_);
+  const std::vector<GoalRegion> places =
+      via < task_.via.size() ? task_.via[via].any_of : std::vector{region_of_pose(goal.pose)};
+  return planning::is_out_of_reach(task_, places, rule_.only_gear(), budget);
 }
 
 bool ViaNodes::are_all() const {

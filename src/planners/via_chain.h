@@ -45,6 +45,9 @@ class ViaNodes {
   [[nodiscard]] bool is_cut_short() const { return is_cut_short_; }
   /// Whether it is proven that no path passes a via.
   [[nodiscard]] bool is_closed(std::size_t via) const { return are_all() || is_closed_[via]; }
+  /// Whether it is proven that no path leads from the start to any place of a via, or to the goal,
+  /// which follows the last via. It is looked at once for each; after that the answer is false.
+  [[nodiscard]] bool is_out_of_reach(std::size_t via, const search::Budget& budget);
   /// Number of poses of a via that were looked at.
   [[nodiscard]] std::size_t looked_at(std::size_t via) const { return looked_at_[via]; }
   /// Why a via has no free pose, as a reason.
@@ -96,6 +99,7 @@ class ViaNodes {
   std::vector<std::size_t> looked_at_;
   std::vector<bool> is_closed_;  // of each via: whether it is proven that none of it is free
   bool is_cut_short_ = false;
+  std::set<std::size_t> looked_for_;                           // vias for which a proof was tried
   std::set<LegKey> lost_;                                      // legs that were given up
   std::map<std::pair<std::size_t, std::size_t>, int> doubts_;  // of the nodes of each via
 };

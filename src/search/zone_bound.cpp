@@ -26,6 +26,8 @@ constexpr double straight_of_octagon = 0.9237;
 /// Half the diagonal of a cell and some slack: all of it is as near to its middle [m].
 double reach_of_cell(double side) { return side * std::sqrt(0.5) + slack_of_edges; }
 
+Bounds at_point(const LocalPose& pose) { return {pose.x, pose.x, pose.y, pose.y}; }
+
 AllowedGears other_gear(GearSign only) {
   return only > 0 ? AllowedGears::reverse : AllowedGears::forward;
 }
@@ -55,9 +57,11 @@ ZoneBound::Entry ZoneBound::Front::take() {
 
 // Where a way leaves the box around all that counts, each of its places can be moved to the nearest
 // one of the box, where there are no rules, prices and obstacles.
-ZoneBound::ZoneBound(const Task& task, GearSign only, const MetreCost& cost)
+ZoneBound::ZoneBound(const Task& task, GearSign only, const MetreCost& cost,
+                     const std::vector<Bounds>& places)
     : task_(task),
       cost_(cost),
+      places_(places),
       clearance_(inner_radius(task.vehicle)),
       one_way_(task.world->local().zones, {0.0, clearance_}, task.vehicle.min_turning_radius,
                task.world->local().bounds) {
@@ -79,7 +83,8 @@ ZoneBound::ZoneBound(const Task& task, GearSign only, const MetreCost& cost)
   const bool has_streets = !one_way_.barring().empty();
   const bool counts = is_priced() ? has_prices || (has_streets && cost.anywhere > 0.0)
                                   : has_streets || !closed_.empty();
-  if (!counts) return;
+  if (!counts && places.empty()) return;
+  if (places.empty()) places_ = {at_point(task.goal)};
   const double coarsest = is_priced() ? coarsest_priced_cell : coarsest_cell;
   const double around = 2 * (clearance_ + task.least_margin) + 2 * coarsest;
   box_ = geometry::shared(ground.bounds, geometry::widened(scene(), around));
@@ -102,9 +107,9 @@ bool ZoneBound::is_priced() const noexcept {
 /// Box around start, goal, zones, masks and obstacles.
 Bounds ZoneBound::scene() const {
   const Surroundings& ground = task_.world->local();
-  const Point ends[] = {{task_.start.x, task_.start.y}, {task_.goal.x, task_.goal.y}};
-  Bounds scene = bounding_box(ends);
+  Bounds scene = at_point(task_.start);
   const auto add = [&](const Bounds& box) { scene = geometry::united(scene, box); };
+  for (const Bounds& box : places_) add(box);
   for (const ClosedArea& closed : closed_) add(bounding_box(closed.area));
   for (const Bounds& street : one_way_.barring()) add(street);
   if (is_priced()) {
@@ -130,27 +135,40 @@ bool ZoneBound::next_lattice() {
     known_.clear();
     known_.resize(static_cast<std::size_t>(columns_ * rows_) / Row{}.size() + 1);
     held_ = 0;
-    goals_.clear();
-    const bool meet = begin(start, task_.start) || begin(goal, task_.goal);
+    const bool meet = begin_all();
     if (!meet && fronts_[start].size() > 0 && fronts_[goal].size() > 0) return true;
   }
 }
 
-/// Lets a flood begin at the open cells around one of its places. True if the floods meet there.
-bool ZoneBound::begin(End end, const LocalPose& pose) {
-  fronts_[end] = {};
+/// Lets both floods begin. True if they meet at once.
+bool ZoneBound::begin_all() {
+  fronts_ = {};
+  goals_.clear();
+  if (begin(start, at_point(task_.start))) return true;
+  return std::ranges::any_of(places_, [this](const Bounds& box) { return begin(goal, box); });
+}
+
+/// Lets a flood begin at the open cells around a box. True if the floods meet there.
+bool ZoneBound::begin(End end, const Bounds& box) {
+  const auto cell_of = [&](double place, std::int64_t count) {
+    return std::clamp<std::int64_t>(static_cast<std::int64_t>(place / side_), 0, count - 1);
+  };
+  const auto [x_min, x_max, y_min, y_max] = geometry::widened(box, slack_of_ends);
+  const Point middle{box.x_min + (box.x_max - box.x_min) / 2,
+                     box.y_min + (box.y_max - box.y_min) / 2};
+  const double off = (box.x_max - box.x_min + box.y_max - box.y_min) / 2 + slack_of_edges;
   bool are_met = false;
-  for (const double x : {pose.x - slack_of_ends, pose.x + slack_of_ends}) {
-    for (const double y : {pose.y - slack_of_ends, pose.y + slack_of_ends}) {
-      const auto column = static_cast<std::int64_t>((x - box_.x_min) / side_);
-      const auto row = static_cast<std::int64_t>((y - box_.y_min) / side_);
-      const std::int64_t cell = std::clamp<std::int64_t>(row, 0, rows_ - 1) * columns_ +
-                                std::clamp<std::int64_t>(column, 0, columns_ - 1);
+  const std::int64_t last_column = cell_of(x_max - box_.x_min, columns_);
+  const std::int64_t last_row = cell_of(y_max - box_.y_min, rows_);
+  for (std::int64_t column = cell_of(x_min - box_.x_min, columns_); column <= last_column;
+       ++column) {
+    for (std::int64_t row = cell_of(y_min - box_.y_min, rows_); row <= last_row; ++row) {
+      const std::int64_t cell = row * columns_ + column;
       if (!is_open(cell)) continue;
       if (end == goal) goals_.push_back(cell);
       float along = -endless;
       if (const int street = cell_at(cell).street; street >= 0) {
-        along = one_way_.range_along(street, {pose.x, pose.y}, slack_of_edges, end == goal).least;
+        along = one_way_.range_along(street, middle, off, end == goal).least;
       }
       for (int corner = 0; corner < (is_priced() ? 4 : 1); ++corner) {
         are_met |= reach(end, {0.0F, along, cell, corner});

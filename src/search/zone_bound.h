@@ -39,8 +39,10 @@ struct MetreCost {
 /// follows.
 class ZoneBound {
  public:
-  /// `only`: gear of all paths, 0 for both. The task must outlive the object.
-  ZoneBound(const Task& task, GearSign only, const MetreCost& cost = {});
+  /// `only`: gear of all paths, 0 for both. `places`: boxes, in one of which paths end; none: the
+  /// task's goal. The task must outlive the object.
+  ZoneBound(const Task& task, GearSign only, const MetreCost& cost = {},
+            const std::vector<Bounds>& places = {});
 
   /// Does some ten microseconds of work. False when nothing is left to do.
   bool step();
@@ -103,7 +105,8 @@ class ZoneBound {
   [[nodiscard]] double most_cells() const noexcept;
   [[nodiscard]] double cells_of(double side) const noexcept;
   [[nodiscard]] bool next_lattice();
-  [[nodiscard]] bool begin(End end, const LocalPose& pose);
+  [[nodiscard]] bool begin(End end, const Bounds& box);
+  [[nodiscard]] bool begin_all();
   [[nodiscard]] Point middle_of(std::int64_t cell) const;
   [[nodiscard]] Known& known(std::int64_t cell);
   [[nodiscard]] const Cell& cell_at(std::int64_t cell);
@@ -116,6 +119,7 @@ class ZoneBound {
 
   const Task& task_;
   MetreCost cost_;
+  std::vector<Bounds> places_;  // Boxes in which paths end.
   Bounds box_ = {};
   double side_ = 0.0;       // Side of a cell [m]; 0: nothing is left to do.
   double clearance_ = 0.0;  // Least distance of the rear axle from obstacles [m].

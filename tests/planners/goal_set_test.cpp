@@ -179,6 +179,30 @@ Scenario slot(double room) {
   return yard({area}, {box(12, -25, 50, 0.3 - side), box(12, 0.3 + side, 50, 25)});
 }
 
+/// A wall with a gate of 6 m before the places of a goal.
+Scenario gate(GoalRegion goal, std::vector<Zone> zones) {
+  Scenario scenario = yard({std::move(goal)}, {box(20, -90, 21, -3), box(20, 3, 21, 90)});
+  for (Zone& zone : zones) zone.area = box(19, -3, 22, 3);
+  scenario.zones = std::move(zones);
+  return scenario;
+}
+
+TEST(GoalSet, ProvesThatNoPlaceIsReachedWhateverTheHeading) {
+  const auto status = [](const GoalRegion& goal, std::vector<Zone> zones) {
+    const PlanOptions options = with_iterations(is_sanitized ? 2000 : 40'000);
+    return plan(make_problem(gate(goal, std::move(zones))), options).status;
+  };
+  const GoalRegion area{.area = {{38, -2}, {42, -2}, {42, 2}}, .heading = any_heading};
+  for (const GoalRegion& goal : {region({40, 40}, {0, 0}, any_heading), area}) {
+    EXPECT_EQ(status(goal, {{.direction = HeadingRange{2.6, 3.7}}}), PlanStatus::no_path);
+    EXPECT_EQ(status(goal, {{.closed = true}}), PlanStatus::no_path);
+    EXPECT_NE(status(goal, {}), PlanStatus::no_path);
+  }
+  // One end of the interval is before the gate.
+  const GoalRegion line = region({15, 40}, {0, 0}, {0, 0});
+  EXPECT_NE(status(line, {{.closed = true}}), PlanStatus::no_path);
+}
+
 TEST(GoalSet, FindsANarrowSlotInAnArea) {
   const Problem problem = make_problem(slot(0.1));
   const PlanResult result = plan(problem, with_iterations(is_sanitized ? 200 : 3000));

@@ -162,6 +162,16 @@ TEST(Via, ProvesThatOneIsBlocked) {
   EXPECT_EQ(result.reason, "the pose of via[0] is not free");
 }
 
+TEST(Via, BehindAClosedGateIsOutOfReachWhateverTheHeading) {
+  Scenario scenario = yard({anyhow(30, 0)}, {box(20, -90, 21, -3), box(20, 3, 21, 90)});
+  scenario.zones = {{.area = box(19, -3, 22, 3), .closed = true}};
+  const PlanResult result = plan(make_problem(scenario), via_by_length(20'000));
+  EXPECT_EQ(result.status, PlanStatus::no_path);
+  EXPECT_TRUE(result.reason.starts_with("on the way to via[0]: proven")) << result.reason;
+  scenario.via = {anyhow(10, 0)};  // the goal is behind the gate
+  EXPECT_EQ(plan(make_problem(scenario), via_by_length(20'000)).status, PlanStatus::no_path);
+}
+
 TEST(Via, InANarrowSlotIsFoundOrProvenToBeTaken) {
   const auto through = [](double room) {
     const Via area{{{.area = {{10, -10}, {30, -10}, {30, 7}, {10, 7}}, .heading = any_heading}}};
