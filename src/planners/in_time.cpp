@@ -362,6 +362,8 @@ class InTimeRun {
         options_.budget.max_iterations ? PlanStatus::iteration_limit : PlanStatus::time_limit);
     if (!sources_.front().path.empty()) {
       answer.reason = "there are paths, but none on which a drive was found that meets nothing";
+    } else {
+      answer.reason = std::move(first.reason);
     }
     return answer;
   }

@@ -304,7 +304,7 @@ class SetRun {
     if (best_ != nullptr && best_->search) answer = best_->search->answer();
     if (best_ != nullptr && !best_->search) answer.segments = best_->path;
     if (best_ == nullptr) {
-      answer.status = budget_.exhausted().value_or(PlanStatus::iteration_limit);
+      answer.status = budget_.exhausted().value_or(PlanStatus::node_limit);
       explain(answer);
       return answer;
     }
@@ -325,7 +325,10 @@ class SetRun {
         std::ranges::all_of(candidates_, [](const Candidate& goal) { return goal.is_closed; });
     const bool is_open = goals_.least_waiting() < endless || !all_closed || !goals_.saw_all() ||
                          goals_.bound_of_regions() < endless;
-    if (is_open && !is_walled_in_) return;
+    if (is_open && !is_walled_in_) {
+      if (answer.status == PlanStatus::node_limit) answer.reason = why_none_goes_on();
+      return;
+    }
     answer.status = PlanStatus::no_path;
     if (is_walled_in_) {
       answer.reason = "proven: nothing gets from the start to any place of the goal";
@@ -336,6 +339,15 @@ class SetRun {
     if (closed > 1) {
       answer.reason += "; so for all " + std::to_string(closed) + " goals that are free";
     }
+  }
+
+  /// Why no search goes on, although nothing is proven of the set.
+  [[nodiscard]] std::string why_none_goes_on() const {
+    for (const Candidate& goal : candidates_) {
+      const std::string reason = goal.search ? goal.search->answer().reason : "";
+      if (!reason.empty()) return "no search for a goal goes on; the first: " + reason;
+    }
+    return "no search for a goal goes on";
   }
 
   static constexpr std::int64_t max_turn_iterations = std::int64_t{1}

@@ -118,6 +118,8 @@ class ViaSearch final : public PathSearch {
       answer.status = nodes_.is_closed(*via) ? PlanStatus::no_path : PlanStatus::node_limit;
     } else if (is_walled_in_ || (chain_.empty() && is_proven_ && nodes_.are_all())) {
       answer.status = PlanStatus::no_path;
+    } else if (chain_.empty()) {
+      answer.status = PlanStatus::node_limit;
     }
     return answer;
   }

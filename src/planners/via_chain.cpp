@@ -63,7 +63,7 @@ void ViaNodes::look_closer(std::size_t via, const search::Budget& budget) {
   };
   const auto [points, is_proof] = free_points(tasks_[via], rule_.only_gear(), budget, fits);
   is_cut_short_ = budget.is_interrupted();
-  is_closed_[via] = is_proof && std::ranges::all_of(task_.via[via].any_of, is_continuous);
+  is_closed_[via] = is_proof && task_.via[via].any_of.size() <= max_nodes_of_via / 2;
   for (const GoalPoint& point : points) add_gears(via, node_at(point), nodes_[via]);
 }
 

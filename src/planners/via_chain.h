@@ -44,7 +44,7 @@ class ViaNodes {
   /// Whether the budget was interrupted before all poses were looked at.
   [[nodiscard]] bool is_cut_short() const { return is_cut_short_; }
   /// Whether it is proven that no path passes a via.
-  [[nodiscard]] bool is_closed(std::size_t via) const { return are_all() || is_closed_[via]; }
+  [[nodiscard]] bool is_closed(std::size_t via) const { return is_closed_[via]; }
   /// Whether it is proven that no path leads from the start to any place of a via, or to the goal,
   /// which follows the last via. It is looked at once for each; after that the answer is false.
   [[nodiscard]] bool is_out_of_reach(std::size_t via, const search::Budget& budget);

@@ -203,6 +203,17 @@ TEST(GoalSet, ProvesThatNoPlaceIsReachedWhateverTheHeading) {
   EXPECT_NE(status(line, {{.closed = true}}), PlanStatus::no_path);
 }
 
+// Without a via no pose of the set is proven to have no path.
+TEST(GoalSet, SaysThatNoSearchHasWorkLeft) {
+  Scenario scenario = yard({region({40, 42}, {0, 0}, any_heading)});
+  scenario.via = {{{region_of_pose({20, 0, 0})}, false}};
+  scenario.obstacles = {box(19, -1, 21, 1)};
+  const PlanResult result = plan(make_problem(scenario), with_iterations(40'000));
+  EXPECT_EQ(result.status, PlanStatus::node_limit);
+  EXPECT_EQ(result.reason,
+            "no search for a goal goes on; the first: the pose of via[0] is not free");
+}
+
 TEST(GoalSet, FindsANarrowSlotInAnArea) {
   const Problem problem = make_problem(slot(0.1));
   const PlanResult result = plan(problem, with_iterations(is_sanitized ? 200 : 3000));

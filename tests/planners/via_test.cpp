@@ -162,6 +162,14 @@ TEST(Via, ProvesThatOneIsBlocked) {
   EXPECT_EQ(result.reason, "the pose of via[0] is not free");
 }
 
+TEST(Via, OfAPoseThatIsTakenProvesThatThereIsNoPathWhateverTheOthersAre) {
+  const PlanResult result =
+      plan(make_problem(yard({at({20, 0, 0}), anyhow(30, 0)}, {box(19, -1, 21, 1)})),
+           via_by_length(100));
+  EXPECT_EQ(result.status, PlanStatus::no_path);
+  EXPECT_EQ(result.reason, "the pose of via[0] is not free");
+}
+
 TEST(Via, BehindAClosedGateIsOutOfReachWhateverTheHeading) {
   Scenario scenario = yard({anyhow(30, 0)}, {box(20, -90, 21, -3), box(20, 3, 21, 90)});
   scenario.zones = {{.area = box(19, -3, 22, 3), .closed = true}};
