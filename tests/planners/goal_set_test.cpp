@@ -14,6 +14,7 @@
 #include <tuple>
 #include <vector>
 
+#include "planners/free_parts.h"
 #include "planners/goal_poses.h"
 #include "problem/goal_set.h"
 #include "support/cases.h"
@@ -239,6 +240,41 @@ TEST(GoalSet, OfAnOutlineInASlotIsFoundOrProvenToBeTaken) {
   };
   EXPECT_NE(status(0.1), PlanStatus::goal_in_collision);
   EXPECT_EQ(status(-1.0), PlanStatus::goal_in_collision);
+}
+
+TEST(GoalSet, NothingIsFreeWhereThatIsProven) {
+  int proofs = 0, found = 0;
+  for_each_case(31, is_sanitized ? 5 : 40, [&](Rng& rng) {
+    const double x = uniform(20, 30, rng), y = uniform(-5, 5, rng), heading = uniform(-pi, pi, rng);
+    GoalRegion goal = region({x, x + uniform(0, 2, rng)}, {y, y + uniform(0, 2, rng)},
+                             {heading, heading + uniform(0, 1, rng)});
+    Scenario scenario = yard({goal});
+    if (rng() % 3 == 0) {
+      scenario.vehicle = semitrailer();
+      scenario.goal_set[0].is_of_trailer = rng() % 2 == 0;
+      scenario.goal_set[0].hitch_angle = {-0.2, uniform(-0.2, 0.5, rng)};
+    }
+    for (int i = 0; i < 4; ++i) {
+      const double left = x + uniform(-8, 8, rng), low = y + uniform(-8, 8, rng);
+      scenario.obstacles.push_back(
+          box(left, low, left + uniform(0.2, 4, rng), low + uniform(0.2, 4, rng)));
+    }
+    scenario.zones = {{.area = box(x, y - 9, x + 9, y + uniform(0, 3, rng)), .closed = true}};
+    const Problem problem = make_problem(scenario);
+    const Task& task = problem.task();
+    const auto is_free = [&](const planning::GoalPoint& point) {
+      return task.checker->is_free(planning::state_of(task, point));
+    };
+    const auto [points, is_proof] = planning::free_points(task, 0, search::Budget({}), is_free);
+    if (!points.empty()) ++found;
+    if (!is_proof) return;
+    ++proofs;
+    for (std::size_t i = 0; i < 1000; ++i) {
+      ASSERT_FALSE(is_free(planning::point_of_sequence(task, 0, i)));
+    }
+  });
+  EXPECT_GE(proofs, is_sanitized ? 0 : 3);
+  EXPECT_GE(found, is_sanitized ? 0 : 3);
 }
 
 TEST(GoalSet, ProvesThatAllGoalsAreWalledIn) {
