@@ -507,6 +507,36 @@ TEST(SiteTable, GivesThePlannerItsFirstPath) {
   EXPECT_GE(planned, cases(6) * 2 / 3);
 }
 
+// The wheels cannot turn at once as a way says, so the vehicle leaves it a little.
+TEST(SiteTable, GivesThePlannerAWayToFollow) {
+  Scenario walls{.bounds = {0, 40, 0, 40},
+                 .start = {4, 4, 1.57},
+                 .goal = {36, 36, 1.57},
+                 .obstacles = {box(9, 0, 10, 28), box(19, 12, 20, 40), box(29, 0, 30, 28)}};
+  Vehicle& van = walls.vehicle;
+  van.wheelbase = 3.4;
+  van.front_overhang = 0.9;
+  van.rear_overhang = 1.5;
+  van.width = 2.1;
+  van.min_turning_radius = 5.42;
+  van.limits.max_steering_rate = 0.4;
+  const Problem problem = make_problem(walls);
+  PlanOptions options;
+  options.budget.max_iterations = 200;
+  const PlanOptions all = complete(default_planner(), options, problem.vehicle());
+  const std::pair<Pose, Pose> pairs[] = {{{1.635, 38.713, -0.6487}, {37.221, 2.328, -0.7335}},
+                                         {{1.635, 38.713, -0.6487}, {33.832, 15.888, 2.1859}}};
+  for (const auto& [start, goal] : pairs) {
+    const Problem there = from(problem, start, goal);
+    const SiteTable table = *make_site_table(there, std::span(&goal, 1), all);
+    const auto way = site_way(table, there, all);
+    ASSERT_TRUE(way);
+    const PlanResult result = plan(there, using_site(table, options));
+    ASSERT_EQ(result.status, PlanStatus::solved);
+    EXPECT_LT(result.cost, way->cost);
+  }
+}
+
 TEST(SiteTable, OfARigIsThatOfItsTractor) {
   const std::vector<Polygon> walls = {box(-21, -40, -20, 20), box(-1, -20, 0, 40)};
   const Problem rig =

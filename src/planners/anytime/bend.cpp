@@ -33,9 +33,9 @@ void Bender::offer(const Route& route) {
   wait({.segments = path_of(route).segments, .cost = route.cost});
 }
 
-void Bender::offer_path(std::vector<Segment> segments) {
+void Bender::offer_path(std::vector<Segment> segments, double cost) {
   has_begun_ = true;
-  wait({.segments = std::move(segments), .cost = std::numeric_limits<double>::infinity()});
+  wait({.segments = std::move(segments), .cost = cost});
 }
 
 std::optional<Drive> Bender::begin_with(const Path& known) {

@@ -38,8 +38,10 @@ class Bender final : public Worker {
   /// Offers a route from the start of the task to its goal. A route that is like one offered before
   /// is ignored unless it is much cheaper.
   void offer(const Route& route) override;
-  /// Offers a path that need not be free, and whose ends need not be exact.
-  void offer_path(std::vector<Segment> segments);
+  /// Offers a path that need not be free, and whose ends need not be exact. Only one whose cost is
+  /// known is followed where the wheels cannot turn as it says.
+  void offer_path(std::vector<Segment> segments,
+                  double cost = std::numeric_limits<double>::infinity());
   /// Begins with a known path. Gives back the drive along it; none if none was found.
   [[nodiscard]] std::optional<Drive> begin_with(const Path& known);
 

@@ -93,11 +93,13 @@ class Composer {
   std::span<const NamedSource> sources_;
   std::unique_ptr<const planning::Pricing> pricing_;
   const CostRule& rule_;
-  bool is_far_;                   // whether the task goes over a whole site
-  bool bends_;                    // whether bending may make routes cheaper
-  bool has_gap_;                  // whether a gap is to be proven
-  bool is_warm_ = false;          // whether the run begins with a route along a known path
-  bool has_site_way_ = false;     // whether that path is the way of a table
+  bool is_far_;                // whether the task goes over a whole site
+  bool bends_;                 // whether bending may make routes cheaper
+  bool has_gap_;               // whether a gap is to be proven
+  bool is_warm_ = false;       // whether the run begins with a route along a known path
+  bool has_site_way_ = false;  // whether that path is the way of a table
+  /// Whether the wheels do not turn as that way says, and its drive is still to be found.
+  bool follows_site_way_ = false;
   bool has_survey_ = false;       // whether a survey finds routes of other kinds
   std::unique_ptr<Bender> bend_;  // bends routes; null if none are bent
   Portfolio portfolio_;
@@ -128,6 +130,8 @@ Composer::Composer(const Task& task, const PlanOptions& options, double time_pri
     const auto way = sites::way_in_world(*given.site, task, options.cost);
     if (way) take_known(way->path);
     has_site_way_ = is_warm_;
+    follows_site_way_ = way && !is_warm_ && bend_;
+    if (follows_site_way_) bend_->offer_path(way->path.segments, way->cost);
   }
   has_survey_ = bends_ && !has_gap_ && !is_warm_ && !rule_.is_length();
 }
@@ -325,7 +329,9 @@ Portfolio Composer::portfolio() && {
   }
   add_length_prover();
   if (is_far_) add_detours();
-  if (bend_) add("bend", std::move(bend_), share(shares::bend));  // [5d]
+  Row bend = shares::bend;
+  if (follows_site_way_) bend.until_route = shares::following_of_site_way;
+  if (bend_) add("bend", std::move(bend_), share(bend));  // [5d]
   if (has_survey_) add_survey();
   add_wall_prover();
   if (has_rules_of_ground(task_)) add_zone_prover();

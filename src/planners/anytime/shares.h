@@ -83,6 +83,9 @@ inline constexpr std::int64_t rounds_without_work = 64;
 /// Rounds in which the way of a table is only bent: it is of the best kind, but crooked.
 inline constexpr std::int64_t rounds_of_site_way = 16;
 
+/// Share of "bend" without a route, if it follows the way of a table.
+inline constexpr Turn following_of_site_way = {0, 96};
+
 /// Rounds with a route before the bound with headings is raised, if a gap is to be proven: boxes of
 /// poses take long to make.
 inline constexpr std::int64_t first_raise = 24;
