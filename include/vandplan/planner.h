@@ -161,7 +161,8 @@ void set_option(PlanOptions& options, const Planner& planner, std::string_view n
 [[nodiscard]] int setting_order(std::string_view option) noexcept;
 
 /// Sets those options that the planner honours, in the order of `setting_order`, and skips the
-/// others. Throws InputError naming the option whose value is not valid.
+/// others. Throws InputError naming the option whose value is not valid, or "gears" if one gear is
+/// asked for and the planner does not honour that.
 void set_honoured(PlanOptions& options, const Planner& planner, std::span<const Setting> settings);
 
 /// Plans a path. A run without a limit of time or iterations takes `default_time_limit`. The path

@@ -289,6 +289,12 @@ int setting_order(std::string_view option) noexcept {
 }
 
 void set_honoured(PlanOptions& options, const Planner& planner, std::span<const Setting> settings) {
+  for (const auto& [name, value] : settings) {
+    if (name != "gears" || value == name_of(AllowedGears::both) || honours(planner, name)) continue;
+    throw InputError(name, "is " + value + ", which " + planner.name +
+                               " does not honour, expected one of the planners that do: " +
+                               planners_with(Capability::gears));
+  }
   std::vector<Setting> honoured;
   std::copy_if(settings.begin(), settings.end(), std::back_inserter(honoured),
                [&](const Setting& setting) { return honours(planner, setting.name); });

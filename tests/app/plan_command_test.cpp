@@ -65,6 +65,15 @@ TEST_F(PlanCommand, TheScenarioMayWantOptions) {
                              ": options.gear_change_cost: rrt-opt-rs-goal does not honour it\n");
 }
 
+TEST_F(PlanCommand, NoPlannerIgnoresTheGearsOfTheScenario) {
+  write_content(scenario_, yard() + "options: {gears: forward}\n");
+  const Outcome outcome = plan({"--planner", "prm", "--max-iterations", "300"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("gears: is forward, which prm does not honour"), std::string::npos)
+      << outcome.err;
+  EXPECT_NE(plan({"--planner", "rrt-opt-rs-goal", "--max-iterations", "300"}).status, 2);
+}
+
 TEST_F(PlanCommand, APictureMarksWhatStandsInTheWay) {
   const auto marks = [&](const std::string& from, const std::string& to) {
     write_content(scenario_, replaced(yard(), from, to));
