@@ -3,6 +3,7 @@
 #include "planners/search_via.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <deque>
 #include <limits>
@@ -25,11 +26,10 @@ namespace vandplan::planning {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr std::int64_t work_of_turn = 256;     // iterations of a leg in one turn
-constexpr std::int64_t first_patience = 400;   // iterations of a leg until another is tried
-constexpr std::int64_t first_look = 32;        // iterations of each leg before a trial is dropped
-constexpr std::int64_t chance_of_trial = 256;  // most iterations of each leg of a trial
-constexpr double is_near_best = 1.05;        // a trial up to so many times the best gets its chance
+constexpr std::int64_t work_of_turn =
+    256;                                 // iterations of a leg in one turn; most of a trial's leg
+constexpr std::int64_t first_look = 32;  // iterations of each leg before a trial is dropped
+constexpr double is_near_best = 1.05;    // a trial up to so many times the best gets its chance
 constexpr double first_step_beside = 0.125;  // first step beside a node [share of its intervals]
 constexpr double last_step_beside = 5e-4;    // last step
 constexpr double worth_trying = 1.15;  // other poses are tried up to so many times the straight way
@@ -46,7 +46,6 @@ struct ViaLeg {
   std::unique_ptr<PathSearch> search = {};
   std::optional<std::vector<Segment>> path = {};
   std::int64_t spent = 0;
-  std::int64_t patience = first_patience;  // iterations after which another leg is tried
   bool is_done = false;
   bool is_closed = false;   // whether it is proven that there is no path
   std::string reason = {};  // why there is no path; or empty
@@ -243,9 +242,13 @@ class ViaSearch final : public PathSearch {
     const std::size_t from = i == 0 ? 0 : chain_[i - 1].number;
     const std::size_t to = i == chain_.size() ? 0 : chain_[i].number;
     if (!leg.is_done) {
-      spent_on_legs_ += go_on(leg, most);
-      if (leg.is_done || leg.spent < leg.patience) return true;
-      leg.patience *= 2;
+      const std::int64_t work = go_on(leg, most);
+      spent_on_legs_ += work;
+      in_vain_ = leg.path && (i == 0 || fits_behind(i)) ? 0 : in_vain_ + work;
+      // Tries take one turn, two, one, four, ... (Luby et al. 1993).
+      if (leg.is_done || in_vain_ < work_of_turn << std::countr_zero(tries_)) return true;
+      in_vain_ = 0;
+      ++tries_;
       nodes_.doubt(i, from, to);
       begin_chain();
       return true;
@@ -345,8 +348,8 @@ class ViaSearch final : public PathSearch {
       return;
     }
     const double cost = cost_of(joined(legs));
-    if (cost >= cost_ && cost < is_near_best * cost_ && trial.chance < chance_of_trial) {
-      trial.chance = chance_of_trial;
+    if (cost >= cost_ && cost < is_near_best * cost_ && trial.chance < work_of_turn) {
+      trial.chance = work_of_turn;
       return;
     }
     if (cost < cost_) {
@@ -371,6 +374,8 @@ class ViaSearch final : public PathSearch {
   double cost_ = infinite;
   std::vector<CostSample> trace_;
   std::int64_t iterations_ = 0, spent_on_legs_ = 0, spent_on_trials_ = 0;
+  std::int64_t in_vain_ = 0;                    // iterations of the try on the present leg
+  std::uint64_t tries_ = 1;                     // tries on legs, with this one
   std::int64_t next_bound_ = 4 * work_of_turn;  // iteration at which the bound is looked at
   std::string reason_;                          // why the last leg that was given up has no path
   bool is_walled_in_ = false;  // whether it is proven that a via or the goal cannot be reached
