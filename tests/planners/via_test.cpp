@@ -171,13 +171,15 @@ TEST(Via, OfAPoseThatIsTakenProvesThatThereIsNoPathWhateverTheOthersAre) {
 }
 
 TEST(Via, BehindAClosedGateIsOutOfReachWhateverTheHeading) {
+  PlanOptions until_proof = via_by_length(0);
+  until_proof.budget.max_iterations = 20'000;
   Scenario scenario = yard({anyhow(30, 0)}, {box(20, -90, 21, -3), box(20, 3, 21, 90)});
   scenario.zones = {{.area = box(19, -3, 22, 3), .closed = true}};
-  const PlanResult result = plan(make_problem(scenario), via_by_length(20'000));
+  const PlanResult result = plan(make_problem(scenario), until_proof);
   EXPECT_EQ(result.status, PlanStatus::no_path);
   EXPECT_TRUE(result.reason.starts_with("on the way to via[0]: proven")) << result.reason;
   scenario.via = {anyhow(10, 0)};  // the goal is behind the gate
-  EXPECT_EQ(plan(make_problem(scenario), via_by_length(20'000)).status, PlanStatus::no_path);
+  EXPECT_EQ(plan(make_problem(scenario), until_proof).status, PlanStatus::no_path);
 }
 
 TEST(Via, InANarrowSlotIsFoundOrProvenToBeTaken) {
