@@ -72,6 +72,12 @@ std::string planners_with(Capability capability) {
   return planners_that([=](const Planner& planner) { return planner.can(capability); });
 }
 
+/// End of a message that refuses gears which are asked for.
+std::string ignored_gears(const Planner& planner) {
+  return ", which " + planner.name + " does not honour, expected one of the planners that do: " +
+         planners_with(Capability::gears);
+}
+
 [[noreturn]] void refuse(const Planner& planner, std::string_view option) {
   const std::string others =
       planners_that([&](const Planner& other) { return honours(other, option); });
@@ -181,9 +187,7 @@ void expect_gears_in_zones(const Planner& planner, std::span<const Zone> zones) 
   const bool ask = std::ranges::any_of(
       zones, [](const Zone& zone) { return zone.direction || zone.gears != AllowedGears::both; });
   if (!ask || planner.can(Capability::gears)) return;
-  throw InputError("zones", "ask for gears or directions, which " + planner.name +
-                                " does not honour, expected one of the planners that do: " +
-                                planners_with(Capability::gears));
+  throw InputError("zones", "ask for gears or directions" + ignored_gears(planner));
 }
 
 void unset_prices(PlanOptions& options) {
@@ -291,9 +295,7 @@ int setting_order(std::string_view option) noexcept {
 void set_honoured(PlanOptions& options, const Planner& planner, std::span<const Setting> settings) {
   for (const auto& [name, value] : settings) {
     if (name != "gears" || value == name_of(AllowedGears::both) || honours(planner, name)) continue;
-    throw InputError(name, "is " + value + ", which " + planner.name +
-                               " does not honour, expected one of the planners that do: " +
-                               planners_with(Capability::gears));
+    throw InputError(name, "is " + value + ignored_gears(planner));
   }
   std::vector<Setting> honoured;
   std::copy_if(settings.begin(), settings.end(), std::back_inserter(honoured),

@@ -26,10 +26,10 @@ namespace vandplan::planning {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr std::int64_t work_of_turn =
-    256;                                 // iterations of a leg in one turn; most of a trial's leg
-constexpr std::int64_t first_look = 32;  // iterations of each leg before a trial is dropped
-constexpr double is_near_best = 1.05;    // a trial up to so many times the best gets its chance
+/// Iterations of a leg in one turn, and most of them for a leg of a trial.
+constexpr std::int64_t work_of_turn = 256;
+constexpr std::int64_t first_look = 32;      // iterations of each leg before a trial is dropped
+constexpr double is_near_best = 1.05;        // a trial up to so many times the best gets its chance
 constexpr double first_step_beside = 0.125;  // first step beside a node [share of its intervals]
 constexpr double last_step_beside = 5e-4;    // last step
 constexpr double worth_trying = 1.15;  // other poses are tried up to so many times the straight way

@@ -195,9 +195,10 @@ std::optional<std::vector<ViaNode>> ViaNodes::best_chain() const {
     from.emplace_back(count, 0);
     for (std::size_t to = 0; to < count; ++to) {
       states.push_back(is_goal ? goal_state(task_) : nodes_[via][to].state);
+      const double of_end = doubt_of(via, to);
       for (std::size_t i = 0; i < before.size(); ++i) {
         if (lost_.contains({via, i, to})) continue;
-        const double doubts = (via > 0 ? doubt_of(via - 1, i) : 0.0) + doubt_of(via, to);
+        const double doubts = (via > 0 ? doubt_of(via - 1, i) : 0.0) + of_end;
         const double length = lengths[i] + (1.0 + doubts) * estimate(before[i], states[to]);
         if (length >= next[to]) continue;
         next[to] = length;
