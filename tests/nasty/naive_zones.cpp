@@ -10,6 +10,7 @@
 
 #include "nasty/naive_geometry.h"
 #include "nasty/naive_judge.h"
+#include "vandplan/collision.h"
 
 namespace vandplan::nasty {
 namespace {
@@ -80,14 +81,12 @@ class Zones {
   }
 
   /// By how much that factor differs on both sides of a way: it may run along the border of an
-  /// area, or of a cell.
-  [[nodiscard]] Real doubt(Drive at) const {
-    const Vector place = at.place;
-    const Vector aside = {-std::sin(at.heading) * beside, std::cos(at.heading) * beside};
-    at.place = {place.x + aside.x, place.y + aside.y};
-    const Real left = factor(at);
-    at.place = {place.x - aside.x, place.y - aside.y};
-    return std::abs(left - factor(at));
+  /// area, or of a cell. A body touches what is nearer than the checker's tolerance.
+  [[nodiscard]] Real doubt(const Drive& at) const {
+    const Real near = difference(at, beside);
+    const auto is_of_body = [](const Area& area) { return area.zone->body; };
+    if (std::ranges::none_of(areas_, is_of_body)) return near;
+    return std::max(near, difference(at, beside + CollisionChecker::tolerance));
   }
 
   /// Largest speed there by zones and masks.
@@ -105,6 +104,16 @@ class Zones {
   }
 
  private:
+  /// By how much the factor differs that far to the left and to the right.
+  [[nodiscard]] Real difference(Drive at, Real distance) const {
+    const Vector place = at.place;
+    const Vector aside = {-std::sin(at.heading) * distance, std::cos(at.heading) * distance};
+    at.place = {place.x + aside.x, place.y + aside.y};
+    const Real left = factor(at);
+    at.place = {place.x - aside.x, place.y - aside.y};
+    return std::abs(left - factor(at));
+  }
+
   [[nodiscard]] static Real from_border(const std::vector<Vector>& area, const Vector& p) {
     Real least = std::numeric_limits<Real>::infinity();
     for (std::size_t i = 0, j = area.size() - 1; i < area.size(); j = i++) {

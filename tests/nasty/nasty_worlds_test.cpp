@@ -14,6 +14,7 @@
 #include "support/cases.h"
 #include "support/grids.h"
 #include "support/problems.h"
+#include "vandplan/collision.h"
 #include "vandplan/vehicle.h"
 
 namespace vandplan::nasty {
@@ -278,6 +279,16 @@ TEST(NaiveJudge, SumsThePricesOfZonesAndMasks) {
   EXPECT_NEAR(look.priced_length, 10 + 2 * 10 + 2 * 4, 0.05);
   scenario.zones[0].max_speed = 0.1;
   EXPECT_NEAR(naive_look_at_zones(scenario, ten_metres).least_duration, 20, 0.1);
+}
+
+TEST(NaiveJudge, DoubtsThePriceWhereABodyPassesWithinTheCheckersTolerance) {
+  const double side = Vehicle{}.width / 2;
+  const auto unsure_past = [&](double gap) {
+    const Polygon area = box(4, side + gap, 5, side + 9);
+    return naive_look_at_zones(over({.area = area, .cost = 11, .body = true}), ten_metres).unsure;
+  };
+  EXPECT_GT(unsure_past(0.9 * CollisionChecker::tolerance), 10);
+  EXPECT_EQ(unsure_past(1.3 * CollisionChecker::tolerance), 0);
 }
 
 }  // namespace
