@@ -29,7 +29,7 @@ Zone rules_of(const Document& file, const Feature& feature) {
   if (const Node* const cost = find("cost")) zone.cost = file.number(*cost);
   if (const Node* const speed = find("max_speed")) zone.max_speed = file.number(*speed);
   if (const Node* const direction = find("direction")) {
-    zone.direction = headings_from(file, *direction);
+    zone.direction = directions_from(file, *direction);
   }
   if (feature.heading) zone.direction = around(*feature.heading);
   if (const Node* const gears = find("gears")) {

@@ -154,6 +154,10 @@ std::string yaml_of(const GoalRegion& region) {
 HeadingRange headings_from(const Document& file, const Node& node) {
   if (is_any(node)) return any_heading;
   if (node.kind != Node::Kind::list) return {file.number(node), file.number(node)};
+  return directions_from(file, node);
+}
+
+HeadingRange directions_from(const Document& file, const Node& node) {
   const Point ends = pair_from(file, node, "[first, last], counter-clockwise");
   return {ends.x, ends.y};
 }

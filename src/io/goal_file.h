@@ -33,6 +33,8 @@ struct End {
 
 /// Headings from a number, from [first, last], or from `any`.
 [[nodiscard]] HeadingRange headings_from(const Document& file, const Node& node);
+/// Directions from [first, last].
+[[nodiscard]] HeadingRange directions_from(const Document& file, const Node& node);
 
 /// Entries of `via`: sets of goals, each with `stop`.
 [[nodiscard]] std::vector<Via> via_from(const Document& file, const Node& node,

@@ -33,7 +33,7 @@ Zone zone_from(const Document& file, const Node& node) {
   if (const Node* const closed = file.find(node, "closed")) zone.closed = file.truth(*closed);
   if (const Node* const gears = file.find(node, "gears")) zone.gears = gears_from(file, *gears);
   if (const Node* const direction = file.find(node, "direction")) {
-    zone.direction = headings_from(file, *direction);
+    zone.direction = directions_from(file, *direction);
   }
   if (const Node* const cost = file.find(node, "cost")) zone.cost = file.number(*cost);
   if (const Node* const speed = file.find(node, "max_speed")) zone.max_speed = file.number(*speed);
@@ -102,7 +102,9 @@ std::string zones_to_yaml(const std::vector<Zone>& zones) {
     rules += fmt::format("area: {}", yaml_of(zone.area));
     if (zone.closed) rules += ", closed: true";
     if (zone.gears != AllowedGears::both) rules += fmt::format(", gears: {}", name_of(zone.gears));
-    if (zone.direction) rules += fmt::format(", direction: {}", yaml_of(*zone.direction));
+    if (zone.direction) {
+      rules += fmt::format(", direction: [{}, {}]", zone.direction->from, zone.direction->to);
+    }
     if (zone.cost != 1.0) rules += fmt::format(", cost: {}", zone.cost);
     if (zone.max_speed) rules += fmt::format(", max_speed: {}", *zone.max_speed);
     if (zone.body) rules += ", body: true";

@@ -562,6 +562,8 @@ std::vector<BadFile> bad_files() {
       spoilt("bounds:", "options: {seed: 7}\nbounds:",
              "4: options.seed: is an option of the budget, expected one of what is planned: --set "
              "seed=7"),
+      spoilt("bounds:", "zones: [{area: [[1, 2], [3, 2], [3, 4]], direction: 0.5}]\nbounds:",
+             "4: zones[0].direction: is \"0.5\", expected [first, last], counter-clockwise"),
       // Rows
       spoilt_row("  - distance: 20\n    goal: {x: 20, y: 0, heading: 0}\n"
                  "  - {distance: 40, goal: {x: 40, y: 0, heading: 0}, obstacles: [[[1, 2], [3, 2], "
