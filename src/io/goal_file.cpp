@@ -88,8 +88,8 @@ GoalRegion region_from(const Document& file, const Node& node, const Vehicle& ve
     region.is_of_trailer = true;
     read_axle(file, *trailer, region);
   } else {
-    file.allow_only(node, {"x", "y", "area", "heading", "either_way", "curvature", "hitch_angles",
-                           "straight", "stop"});
+    file.allow_only(node, {"x", "y", "area", "heading", "either_way", "trailer", "any_of",
+                           "curvature", "hitch_angles", "straight", "stop"});
     read_axle(file, node, region);
   }
   region.curvature = curvature_from(file, node);
@@ -123,7 +123,11 @@ std::vector<GoalRegion> regions_from(const Document& file, const Node& node,
                                      const Vehicle& vehicle) {
   std::vector<GoalRegion> set;
   for (const Node* const entry : entries_of(file, node)) {
-    if (entry != &node) expect_no_stop(file, *entry);
+    if (entry != &node) {
+      expect_no_stop(file, *entry);
+      const Node* const inner = file.find(*entry, "any_of");
+      if (inner != nullptr) file.fail(*inner, "is given within any_of, expected one region");
+    }
     set.push_back(region_from(file, *entry, vehicle));
   }
   return set;

@@ -27,7 +27,7 @@ struct End {
 /// Whether a goal has more than one pose.
 [[nodiscard]] bool is_goal_set(const Document& file, const Node& node);
 
-/// Regions of a goal that has more than one pose.
+/// Regions of a goal.
 [[nodiscard]] std::vector<GoalRegion> goal_set_from(const Document& file, const Node& node,
                                                     const Vehicle& vehicle);
 

@@ -192,10 +192,12 @@ ScenarioFile scenario_from(const Document& file, const std::string& where, const
     result.row = row_from(file, *goals, scenario.vehicle);
     const RowGoal& first = result.row.front();
     end = {first.goal, first.curvature, first.hitch_angle};
-  } else if (is_goal_set(file, *goal)) {
-    scenario.goal_set = goal_set_from(file, *goal, scenario.vehicle);
   } else {
-    end = goal_from(file, *goal, scenario.vehicle);
+    // Where a key is unknown, a goal of one pose names those of sets, too.
+    const std::vector<GoalRegion> set = goal_set_from(file, *goal, scenario.vehicle);
+    const bool is_set = is_goal_set(file, *goal);
+    if (is_set) scenario.goal_set = set;
+    if (!is_set) end = goal_from(file, *goal, scenario.vehicle);
   }
   read_via(file, goals != nullptr, result);
   scenario.start = start.pose;

@@ -62,8 +62,8 @@ TEST_F(BadInput, MissingKey) {
 
 TEST_F(BadInput, UnknownKey) {
   EXPECT_EQ(complaint_about("goal: {x", "goal: {z: 1, x"),
-            "5: goal: unknown key \"z\", expected one of x, y, heading, curvature, "
-            "hitch_angles");
+            "5: goal: unknown key \"z\", expected one of x, y, area, heading, either_way, "
+            "trailer, any_of, curvature, hitch_angles, straight, stop");
 }
 
 TEST_F(BadInput, KeyGivenTwice) {

@@ -169,8 +169,11 @@ TEST(GoalFile, SaysWhatIsWrong) {
             "s.yaml:5: goal: unknown key \"x\"");
   EXPECT_EQ(error_for("{any_of: [{x: 1, y: 2, heading: 3}, {x: 1e9, y: 2, heading: 3}]}"),
             "s.yaml:5: goal.any_of[1]: is 1000000000 m from the start, expected at most 100000 m");
-  EXPECT_EQ(error_for("{any_of: [{any_of: []}]}").substr(0, 46),
-            "s.yaml:5: goal.any_of[0]: unknown key \"any_of\"");
+  EXPECT_EQ(error_for("{any_of: [{any_of: []}]}"),
+            "s.yaml:5: goal.any_of[0].any_of: is given within any_of, expected one region");
+  EXPECT_EQ(error_for("{x: 3, y: 2, heading: 0, strait: 8}"),
+            "s.yaml:5: goal: unknown key \"strait\", did you mean straight? Expected one of x, y, "
+            "area, heading, either_way, trailer, any_of, curvature, hitch_angles, straight, stop");
   EXPECT_EQ(error_for("{x: any, y: 2, heading: any}"),
             "s.yaml:5: goal.x: is \"any\", expected a number");
   EXPECT_EQ(error_for("{x: 1, y: 2, heading: any, hitch_angles: any}"),
