@@ -119,12 +119,19 @@ void check_outputs(const PlanArguments& arguments, const ScenarioFile& file) {
   }
 }
 
-void warn_of_ignored(const std::string& file, const std::vector<Setting>& wanted,
-                     const Planner& planner) {
-  for (const Setting& setting : wanted) {
-    if (honours(planner, setting.name)) continue;
-    warn({fmt::format("{}: options.{}: {} does not honour it", file, setting.name, planner.name)});
+void warn_of_ignored(const ScenarioFile& file, const Planner& planner) {
+  for (std::size_t i = 0; i < file.options.size(); ++i) {
+    if (honours(planner, file.options[i].name)) continue;
+    warn({fmt::format("{}: {} does not honour it", file.option_places[i], planner.name)});
   }
+}
+
+/// The error, with its place in the scenario file if it is about an option from there.
+InputError with_place(const InputError& error, const ScenarioFile& file) {
+  const auto found = std::ranges::find(file.options, error.where(), &Setting::name);
+  if (found == file.options.end()) return error;
+  return {file.option_places[static_cast<std::size_t>(found - file.options.begin())],
+          error.problem()};
 }
 
 int run(const PlanArguments& arguments) {
@@ -136,23 +143,26 @@ int run(const PlanArguments& arguments) {
   const std::shared_ptr<const SiteTable> site =
       arguments.site ? std::make_shared<const SiteTable>(read_site_table(*arguments.site))
                      : nullptr;
-  const auto options_with = [&](const std::vector<Setting>& wanted_by_file,
-                                const Vehicle& vehicle) {
-    PlanOptions options = options_for(planner, wanted_by_file, arguments.options);
-    options.table = table;
-    options.primitives = primitives;
-    options.site = site;
-    return complete(planner, options, vehicle);
+  const auto options_with = [&](const ScenarioFile& file) {
+    try {
+      PlanOptions options = options_for(planner, file.options, arguments.options);
+      options.table = table;
+      options.primitives = primitives;
+      options.site = site;
+      return complete(planner, options, file.scenario.vehicle);
+    } catch (const InputError& error) {
+      throw with_place(error, file);
+    }
   };
-  (void)options_with({}, {});  // finds wrong options before a long read
+  (void)options_with({});  // finds wrong options before a long read
   const std::stop_token stop = stop_on_signal();
   check_outputs(arguments);
   const ScenarioProblems read = read_problems(arguments.scenario);
-  PlanOptions options = options_with(read.file.options, read.file.scenario.vehicle);
+  PlanOptions options = options_with(read.file);
   options.budget.stop = stop;
   check_outputs(arguments, read.file);
   warn(read.file.warnings);
-  warn_of_ignored(arguments.scenario, read.file.options, planner);
+  warn_of_ignored(read.file, planner);
   if (arguments.poses) {
     const auto processors = static_cast<int>(std::thread::hardware_concurrency());
     const int jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1, processors);

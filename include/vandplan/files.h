@@ -102,6 +102,8 @@ struct ScenarioFile {
   /// Options that the file wants of every planner that honours them (`set_honoured`), none of the
   /// budget.
   std::vector<Setting> options = {};
+  /// Place of each option in the file, for messages: "yard.yaml:12: options.margin".
+  std::vector<std::string> option_places = {};
   /// Doubtful values that are not wrong: "file:line: key: what".
   std::vector<std::string> warnings = {};
   /// Place of the scenario's origin on Earth, with x to the east and y to the north. None: unknown.

@@ -83,11 +83,19 @@ Setting setting_from(const Document& file, const Node& map, std::size_t i) {
                        setting.name + "=" + setting.value);
 }
 
-std::vector<Setting> settings_from(const Document& file, const Node& node) {
+/// Options that some planner accepts, without a contradiction.
+std::vector<Setting> settings_from(const Document& file, const Node& node, const Vehicle& vehicle) {
   if (node.kind != Node::Kind::map) file.fail(node, "is no map, expected options by their names");
   std::vector<Setting> settings;
   for (std::size_t i = 0; i < node.items.size(); ++i) {
     settings.push_back(setting_from(file, node, i));
+  }
+  try {
+    PlanOptions options;
+    set_honoured(options, default_planner(), settings);
+    (void)complete(default_planner(), options, vehicle);
+  } catch (const InputError& error) {
+    file.fail("options." + error.where(), error.problem());
   }
   return settings;
 }
@@ -209,7 +217,8 @@ ScenarioFile scenario_from(const Document& file, const std::string& where, const
     scenario.moving = moving_from(file, *moving);
   }
   if (const Node* const options = file.find(root, "options")) {
-    result.options = settings_from(file, *options);
+    result.options = settings_from(file, *options, scenario.vehicle);
+    for (const Node& item : options->items) result.option_places.push_back(file.place_of(item));
   }
   if (const Node* const origin = file.find(root, "origin")) {
     result.origin = origin_from(file, *origin);

@@ -127,7 +127,7 @@ void refuse_ignored(const Planner& planner, const PlanOptions& options) {
 void refuse_prices(const PlanOptions& options) {
   for (const CommonOption& common : common_options()) {
     if (common.part != OptionPart::prices || has_no_effect(common, options)) continue;
-    throw InputError(std::string(common.name), "is a price, and the cost is the time");
+    throw InputError(std::string(common.name), "is a price, expected none beside cost=time");
   }
 }
 

@@ -62,15 +62,17 @@ TEST_F(PlanCommand, TheScenarioMayWantOptions) {
   const Outcome outcome = plan({"--planner", "rrt-opt-rs-goal", "--max-iterations", "300"});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.err, "vandplan: warning: " + scenario_ +
-                             ": options.gear_change_cost: rrt-opt-rs-goal does not honour it\n");
+                             ":8: options.gear_change_cost: rrt-opt-rs-goal does not honour it\n");
 }
 
 TEST_F(PlanCommand, NoPlannerIgnoresTheGearsOfTheScenario) {
   write_content(scenario_, yard() + "options: {gears: forward}\n");
   const Outcome outcome = plan({"--planner", "prm", "--max-iterations", "300"});
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_NE(outcome.err.find("gears: is forward, which prm does not honour"), std::string::npos)
-      << outcome.err;
+  const std::string said = scenario_ + ":8: options.gears: is forward, which prm does not honour";
+  EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
+  const Outcome typed = plan({"--planner", "prm", "--set", "gears=forward"});
+  EXPECT_EQ(typed.err.find(scenario_), std::string::npos) << typed.err;
   EXPECT_NE(plan({"--planner", "rrt-opt-rs-goal", "--max-iterations", "300"}).status, 2);
 }
 

@@ -562,6 +562,8 @@ std::vector<BadFile> bad_files() {
       spoilt("bounds:", "options: {seed: 7}\nbounds:",
              "4: options.seed: is an option of the budget, expected one of what is planned: --set "
              "seed=7"),
+      spoilt("bounds:", "options: {cost: time, reverse_weight: 2}\nbounds:",
+             "4: options.reverse_weight: is a price, expected none beside cost=time"),
       spoilt("bounds:", "zones: [{area: [[1, 2], [3, 2], [3, 4]], direction: 0.5}]\nbounds:",
              "4: zones[0].direction: is \"0.5\", expected [first, last], counter-clockwise"),
       // Rows

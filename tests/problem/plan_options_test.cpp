@@ -486,7 +486,7 @@ TEST(UnsetOptions, AreToldFromTheirDefaults) {
     PlanOptions in_time = options;
     in_time.cost.measure = CostMeasure::time;
     EXPECT_EQ(message_of([&] { (void)complete(planner_named("anytime"), in_time); }),
-              weight == 1.0 ? "" : "reverse_weight: is a price, and the cost is the time")
+              weight == 1.0 ? "" : "reverse_weight: is a price, expected none beside cost=time")
         << weight;
   }
   const PlanOptions driver{.style = Style::driver};
