@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::int64_t most_work = 200'000;  // parts that are looked at, at most
 constexpr std::int64_t work_at_once = 64;    // parts between two looks at the budget
-constexpr std::size_t most_points = 64;      // poses that are found
+constexpr std::size_t most_points = 64;      // poses that are wanted
 constexpr double shrink = 0.8;               // border of a core, relative to that of the one before
 constexpr std::size_t most_cores = 48;       // number of cores
 constexpr double zone_slack = 2e-3;          // slack of zones; larger than all tolerances [m]
@@ -159,7 +159,7 @@ FreePoints free_points(const Task& task, search::GearSign only, const search::Bu
   }
   std::vector<GoalPoint> found;
   std::int64_t work = 0;
-  while (found.empty() && !parts.empty()) {
+  while (found.size() < most_points && !parts.empty()) {
     std::vector<RegionPart> next;
     for (const RegionPart& part : parts) {
       if (work++ % work_at_once == 0 && budget.is_interrupted()) return {};

@@ -20,8 +20,8 @@ struct FreePoints {
 
 /// Searches the regions with intervals of the task's set for poses that `fits` accepts. Halves
 /// parts of the regions, and drops a part if the vehicle collides at all its poses, or zones forbid
-/// to move at all of them. Ends with the first size of parts that has a pose, or with a limit of
-/// work. `only`: gear of all paths; 0: both.
+/// to move at all of them. Ends with the size of parts at which 64 poses are found, or with a limit
+/// of work. `only`: gear of all paths; 0: both.
 [[nodiscard]] FreePoints free_points(const Task& task, search::GearSign only,
                                      const search::Budget& budget,
                                      const std::function<bool(const GoalPoint&)>& fits);

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <queue>
 
+#include "base/trigonometry.h"
 #include "problem/goal_set.h"
 #include "vandplan/steering.h"
 #include "vandplan/vehicle.h"
@@ -64,13 +65,16 @@ Point place_in_box(const GoalRegion& region, const GoalPoint& point) {
   return {between(x_min, x_max, point.at[x]), between(y_min, y_max, point.at[y])};
 }
 
+/// Heading of the axle that a region refers to, at a point.
+double heading_of(const GoalRegion& region, const GoalPoint& point) {
+  const double turned = point.is_turned ? std::numbers::pi : 0.0;
+  return wrap_angle(region.heading.from + point.at[heading] * width(region.heading) + turned);
+}
+
 /// State of the vehicle with the heading and the hitch angle of a point, at a place.
 State state_at(const Vehicle& vehicle, const GoalRegion& region, const GoalPoint& point,
                const Point& place) {
-  const double turned = point.is_turned ? std::numbers::pi : 0.0;
-  const Pose axle{
-      place.x, place.y,
-      wrap_angle(region.heading.from + point.at[heading] * width(region.heading) + turned)};
+  const Pose axle{place.x, place.y, heading_of(region, point)};
   const double angle = between(region.hitch_angle.least, region.hitch_angle.most, point.at[hitch]);
   return problem::state_at(vehicle, region, axle, angle);
 }
@@ -167,17 +171,39 @@ GoalPoint point_of_sequence(const Task& task, std::size_t region, std::size_t i)
   return point;
 }
 
+namespace {
+
+/// Moves of a point by a share of its intervals, in numbers of the point. Places move along the
+/// heading and across it: in a narrow place nothing else is free.
+std::vector<std::array<double, 4>> moves_of(const GoalRegion& region, const GoalPoint& point,
+                                            double share) {
+  const std::array<double, 4> widths = widths_of(region);
+  std::vector<std::array<double, 4>> moves;
+  if (widths[x] > 0.0 && widths[y] > 0.0) {
+    const auto [sin, cos] = base::sin_cos(heading_of(region, point));
+    const double way = share * std::max(widths[x], widths[y]);
+    moves.push_back({way * cos / widths[x], way * sin / widths[y]});
+    moves.push_back({-way * sin / widths[x], way * cos / widths[y]});
+  }
+  for (std::size_t axis = moves.empty() ? x : heading; axis < widths.size(); ++axis) {
+    if (widths[axis] > 0.0) moves.emplace_back()[axis] = share;
+  }
+  return moves;
+}
+
+}  // namespace
+
 std::vector<GoalPoint> beside(const Task& task, const GoalPoint& point, double share) {
   const GoalRegion& region = task.goal_set[point.region];
-  const std::array<double, 4> widths = widths_of(region);
   std::vector<GoalPoint> points;
-  for (std::size_t axis = 0; axis < widths.size(); ++axis) {
-    if (widths[axis] == 0.0) continue;
-    for (const double step : {share, -share}) {
+  for (const std::array<double, 4>& move : moves_of(region, point, share)) {
+    for (const double sign : {1.0, -1.0}) {
       GoalPoint other = point;
-      double& at = other.at[axis];
-      at += step;
-      at = axis == heading && is_any(region) ? at - std::floor(at) : std::clamp(at, 0.0, 1.0);
+      for (std::size_t axis = 0; axis < move.size(); ++axis) {
+        double& at = other.at[axis];
+        at += sign * move[axis];
+        at = axis == heading && is_any(region) ? at - std::floor(at) : std::clamp(at, 0.0, 1.0);
+      }
       if (!(other == point)) points.push_back(other);
     }
   }

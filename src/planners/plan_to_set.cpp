@@ -76,6 +76,7 @@ class SetRun {
     while (!is_over()) {
       Candidate* const next = next_candidate();
       if (next != nullptr) go_on(*next);
+      if (best_ != nullptr && goals_.is_narrow()) (void)goals_.look_closer();
       // In the end the time for that may be over.
       if (best_ != nullptr && task_.moving.empty()) (void)goals_.bound_of_regions();
       if (!refine() && next == nullptr) break;

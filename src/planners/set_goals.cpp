@@ -98,7 +98,9 @@ void SetGoals::spread_out() {
       }
       return may_look() && wait_at(point, order++);
     });
+    is_narrow_ |= number_of_intervals(task_, region) > 1;
   }
+  is_narrow_ &= waiting_.size() < max_goals_of_region;
 }
 
 /// Lets the goal at a point wait; false if there is none.
@@ -111,6 +113,7 @@ bool SetGoals::wait_at(const GoalPoint& point, std::size_t order) {
 }
 
 bool SetGoals::look_closer() {
+  is_narrow_ = false;
   if (is_interrupted() || std::ranges::none_of(task_.goal_set, is_continuous)) return false;
   const auto fits = [&](const GoalPoint& point) { return at(point).has_value(); };
   Task set = task_;

@@ -35,8 +35,9 @@ class SetGoals {
 
   /// Goals evenly spread over the set wait for their turn.
   void spread_out();
-  /// Looks for goals in ever smaller parts of the set, if no goal was found in it. False if there
-  /// are none.
+  /// Whether few goals were found, though a region has several intervals, and nobody looked closer.
+  [[nodiscard]] bool is_narrow() const { return is_narrow_; }
+  /// Looks for goals in ever smaller parts of the set. False if there are none.
   bool look_closer();
   /// No goal that waits has a lower bound below this one; infinite if none waits.
   [[nodiscard]] double least_waiting() const;
@@ -85,6 +86,7 @@ class SetGoals {
   std::vector<Waiting> waiting_;  // heap: the least bound first, then the first in order
   std::size_t looked_at_ = 0;     // goals looked at
   std::size_t free_ = 0;          // goals where the vehicle can stand
+  bool is_narrow_ = false;        // whether looking closer may find more goals
   bool saw_all_ = true;
   std::optional<PlanStatus> cut_short_;  // how the budget ended before all were looked at
   bool is_none_free_ = false;            // whether it is proven that no pose of the set is free

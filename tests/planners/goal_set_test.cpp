@@ -223,6 +223,59 @@ TEST(GoalSet, FindsANarrowSlotInAnArea) {
   if (!is_sanitized) expect_at_goal(problem, result);
 }
 
+/// A slot that is 10 cm wider than the vehicle and closed at one end. It is turned about the
+/// origin, which is in the middle of its mouth.
+Scenario turned_slot(double turn) {
+  const auto turned = [turn](Polygon polygon) {
+    for (Point& p : polygon) {
+      p = {p.x * std::cos(turn) - p.y * std::sin(turn),
+           p.x * std::sin(turn) + p.y * std::cos(turn)};
+    }
+    return polygon;
+  };
+  Scenario scenario = yard(
+      {{.area = turned(box(0, -1.325, 11, 1.325)), .heading = any_heading}},
+      {turned(box(0, -4, 11, -1.325)), turned(box(0, 1.325, 11, 4)), turned(box(11, -4, 12, 4))});
+  scenario.start = {4.5, -32, -2.3};
+  return scenario;
+}
+
+// Turned, the slot holds none of the poses that are spread over the area, otherwise few.
+TEST(GoalSet, InASlotThePathEndsInTheMouthAndTheCheaperWayRound) {
+  for (const double turn : {0.0, 0.7}) {
+    Scenario scenario = turned_slot(turn);
+    const Problem set = make_problem(scenario);
+    const PlanResult result = plan(set, with_iterations(is_sanitized ? 200 : 40'000));
+    if (is_sanitized) continue;
+    expect_at_goal(set, result);
+    double least = endless_cost;
+    for (const double heading : {turn, turn + pi}) {
+      scenario.goal_set = {region_of_pose({1e-3 * std::cos(turn), 1e-3 * std::sin(turn), heading})};
+      const PlanResult single = plan(make_problem(scenario), with_iterations(8000));
+      if (single.path) least = std::min(least, single.cost);
+    }
+    EXPECT_LT(result.cost, 1.03 * least) << turn;
+  }
+}
+
+TEST(GoalSet, PlacesBesideAGoalAreAheadBehindAndOnBothSides) {
+  const GoalRegion area{.area = box(20, -5, 30, 5), .heading = {0.7, 0.9}};
+  const Problem problem = make_problem(yard({area}));
+  const planning::GoalPoint middle{.at = {0.5, 0.5, 0.0, 0.5}};
+  const Pose from = planning::state_of(problem.task(), middle).pose;
+  std::vector<Pose> moves;
+  for (const planning::GoalPoint& point : planning::beside(problem.task(), middle, 0.1)) {
+    moves.push_back(relative(from, planning::state_of(problem.task(), point).pose));
+  }
+  const std::vector<Point> places = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+  ASSERT_EQ(moves.size(), places.size() + 1);  // the heading moves to one side
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    EXPECT_NEAR(moves[i].x, places[i].x, 1e-9);
+    EXPECT_NEAR(moves[i].y, places[i].y, 1e-9);
+  }
+  EXPECT_NEAR(moves.back().heading, 0.02, 1e-9);
+}
+
 TEST(GoalSet, ProvesThatNothingOfAnAreaIsFree) {
   const PlanResult result = plan(make_problem(slot(-0.1)), with_iterations(10));
   EXPECT_EQ(result.status, PlanStatus::goal_in_collision);
