@@ -40,7 +40,7 @@ struct Ends {
 };
 
 /// Rows "start,goal,cost,lower_bound", numbered as in the files from 0. A pair without a way or
-/// plan has no cost.
+/// plan has no cost. Its bound is "inf" if it is proven that there is no path.
 std::string csv_of(const std::vector<SiteCost>& costs, std::size_t goals) {
   std::string text = "start,goal,cost,lower_bound\n";
   for (std::size_t i = 0; i < costs.size(); ++i) {

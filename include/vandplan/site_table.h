@@ -209,16 +209,19 @@ enum class SiteOutcome : std::uint8_t {
 struct SiteCost {
   /// Cost of a free path that was found [m]; infinite if none was found.
   double cost = std::numeric_limits<double>::infinity();
-  double lower_bound = 0.0;  ///< proven lower bound of the cost of every path [m]
+  /// Proven lower bound of the cost of every path [m]; infinite if it is proven that there is none.
+  double lower_bound = 0.0;
   SiteOutcome outcome = SiteOutcome::no_way;
 };
 
 /// Costs from each start to each goal of a table, in the scenario's frame: start by start, and for
 /// each start as many as there are goals. They are those of ways, as `SiteWay::cost`. Lower bounds
-/// are of open ground, and at most the cost. As those of plans, they hold for all paths that the
-/// judge accepts, but by length for exact ends only. Start and goal of the problem do not matter;
-/// the options must be complete. `threads` share the pairs, with equal results; below 1 counts as
-/// 1. Throws InputError naming "site" as `site_way` does, or "starts[2]" for a start out of range.
+/// are of open ground, and at most the cost. They are infinite where an end is not free, or walls,
+/// zones or one-way streets are proven to part start and goal. As those of plans, they hold for all
+/// paths that the judge accepts, but by length for exact ends only. Start and goal of the problem
+/// do not matter; the options must be complete. `threads` share the pairs, with equal results;
+/// below 1 counts as 1. Throws InputError naming "site" as `site_way` does, or "starts[2]" for a
+/// start out of range.
 [[nodiscard]] std::vector<SiteCost> site_matrix(const SiteTable& table, const Problem& problem,
                                                 std::span<const Pose> starts,
                                                 const PlanOptions& options, int threads = 1);
@@ -228,9 +231,10 @@ struct SiteCost {
 /// the table's way; `jobs` at a time. No cost is above that of `site_matrix`: where no plan is as
 /// cheap, it is the cost of the way of arcs and lines, at whose joints the wheels turn at a
 /// standstill. Only with a trailer or the steering `continuous` all costs are those of plans. Lower
-/// bounds are those of the plans, 0 where nothing is proven, and at most the cost. Trailers are
-/// straight at both ends. Start and goal of the problem do not matter. Throws InputError as `plan`
-/// does, also naming "site" without a table, or "starts[2]" for a start out of range.
+/// bounds are those of the plans, 0 where nothing is proven, and at most the cost. They are
+/// infinite where it is proven that there is no path. Trailers are straight at both ends. Start and
+/// goal of the problem do not matter. Throws InputError as `plan` does, also naming "site" without
+/// a table, or "starts[2]" for a start out of range.
 [[nodiscard]] std::vector<SiteCost> plan_matrix(const Problem& problem,
                                                 std::span<const Pose> starts,
                                                 const PlanOptions& options, int jobs = 1);

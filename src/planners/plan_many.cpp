@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the Vändplan authors
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -39,7 +40,9 @@ void take(const PlanResult& planned, SiteCost& cost) {
   } else if (cost.outcome != SiteOutcome::way) {
     cost.outcome = outcome_without_path(planned.status);
   }
-  cost.lower_bound = std::min(planned.lower_bound.value_or(0.0), cost.cost);
+  cost.lower_bound = sites::is_proven_empty(cost.outcome)
+                         ? std::numeric_limits<double>::infinity()
+                         : std::min(planned.lower_bound.value_or(0.0), cost.cost);
 }
 
 }  // namespace
@@ -60,6 +63,7 @@ std::vector<SiteCost> plan_matrix(const Problem& problem, std::span<const Pose> 
   const std::vector<Pose>& goals = options.site->goals();
   std::vector<SiteCost> costs = costs_of_ways(problem, starts, options, jobs);
   parallel_for(costs.size(), jobs, [&](std::size_t i) {
+    if (sites::is_proven_empty(costs[i].outcome)) return;
     const std::size_t start = i / goals.size();
     const Problem pair = sites::between(problem, starts[start], goals[i % goals.size()],
                                         sites::place_in("starts", start));

@@ -19,9 +19,9 @@ constexpr int work_of_step = 128;    // Work of one call: runs, and obstacles lo
 // Obstacles looked at on one lattice; takes about 100 MB.
 constexpr std::int64_t max_looks = 10'000'000;
 
-/// Bounding box of all obstacles, the map and both ends.
-Bounds scene_of(const Surroundings& ground, const std::array<Point, 2>& ends) {
-  Bounds scene = bounding_box(ends);
+/// Bounding box of all obstacles, the map and all ends.
+Bounds scene_of(const Surroundings& ground, const std::array<std::vector<Point>, 2>& ends) {
+  Bounds scene = geometry::united(bounding_box(ends[0]), bounding_box(ends[1]));
   for (const Polygon& polygon : ground.obstacles) {
     scene = geometry::united(scene, bounding_box(polygon));
   }
@@ -34,10 +34,12 @@ Bounds scene_of(const Surroundings& ground, const std::array<Point, 2>& ends) {
 // The disc lies as near to the rear axle as possible. If a way of its centre leaves the scene, each
 // of its places can be moved to the nearest point of a box around the scene, where no obstacle is
 // near. So ends that are connected at all are connected in that box, within the bounds.
-Enclosure::Enclosure(const Task& task) : task_(task) {
+Enclosure::Enclosure(const Task& task, std::span<const LocalPose> goals) : task_(task) {
   const Disc disc = widest_disc(task.vehicle);
   disc_ = disc.radius + task.least_margin;
-  ends_ = {centre_of(disc, task.start), centre_of(disc, task.goal)};
+  ends_[start] = {centre_of(disc, task.start)};
+  for (const LocalPose& pose : goals) ends_[goal].push_back(centre_of(disc, pose));
+  if (goals.empty()) ends_[goal] = {centre_of(disc, task.goal)};
   const Surroundings& ground = task.world->local();
   const Bounds within = geometry::widened(ground.bounds, std::abs(disc.ahead) + slack);
   const Bounds scene = geometry::widened(scene_of(ground, ends_), 3 * disc_);
@@ -59,10 +61,14 @@ bool Enclosure::next_lattice() {
   return true;
 }
 
-/// Begins a flood. False if the end lies in no open cell, or in a run of the other end.
+/// Begins a flood. False if one of its ends lies in no open cell, or in a run of the other flood.
 bool Enclosure::begin(End end) {
-  const Point root = rows_.in_cells(ends_[end]);
-  floods_[end] = {root, 0, {}};
+  floods_[end] = {rows_.in_cells(ends_[end].front()), 0, {}};
+  return std::ranges::all_of(
+      ends_[end], [&](const Point& place) { return begin_at(end, rows_.in_cells(place)); });
+}
+
+bool Enclosure::begin_at(End end, const Point& root) {
   const auto row = static_cast<std::int32_t>(std::floor(root.y));
   if (row < 0 || row >= rows_.rows()) return false;
   const OpenRows::Row& runs = rows_.row(row);

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <queue>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -24,12 +25,14 @@ namespace vandplan::search {
 /// gaps.
 class Enclosure {
  public:
-  explicit Enclosure(const Task& task);
+  /// `goals`: poses, in one of which paths end; none: the task's goal. The task must outlive the
+  /// object.
+  explicit Enclosure(const Task& task, std::span<const LocalPose> goals = {});
 
   /// Does some ten microseconds of work. False when nothing is left to do.
   bool step();
 
-  /// Whether it is proven that no path leads from the start to the goal.
+  /// Whether it is proven that no path leads from the start to any goal.
   [[nodiscard]] bool is_proven() const noexcept { return is_proven_; }
 
  private:
@@ -41,7 +44,7 @@ class Enclosure {
     bool operator<(const Node& other) const { return rank > other.rank; }
   };
   struct Flood {
-    Point root;         // Where the flood begins [cells].
+    Point root;         // One place where the flood begins [cells].
     std::int64_t work;  // Work done so far.
     std::priority_queue<Node> front;
   };
@@ -49,14 +52,15 @@ class Enclosure {
 
   bool next_lattice();
   [[nodiscard]] bool begin(End end);
+  [[nodiscard]] bool begin_at(End end, const Point& root);
   [[nodiscard]] bool advance(End end);
   [[nodiscard]] bool reach(End end, std::int32_t row, std::int32_t index);
 
   const Task& task_;
-  double disc_;                // Radius plus margin [m].
-  std::array<Point, 2> ends_;  // Centre of the disc at start and goal [m].
-  Bounds box_;                 // If start and goal are connected, they are within this box.
-  double side_;                // Side of a cell [m].
+  double disc_;                             // Radius plus margin [m].
+  std::array<std::vector<Point>, 2> ends_;  // Centres of the disc at start and goals [m].
+  Bounds box_;   // If start and goal are connected, they are within this box.
+  double side_;  // Side of a cell [m].
   OpenRows rows_;
   /// Flood that owns each run, by row.
   std::unordered_map<std::int32_t, std::vector<std::uint8_t>> owners_;

@@ -32,6 +32,9 @@ void require(bool holds, const char* where, const char* expected);
 /// Goals of a table that are the poses of a problem's set of goals. Throws as `site_goals`.
 [[nodiscard]] SiteGoals goals_of_set(const Problem& problem, const PlanOptions& options);
 
+/// Whether an outcome says that there is no path at all.
+[[nodiscard]] bool is_proven_empty(SiteOutcome outcome) noexcept;
+
 /// The site of a table: a task to each goal, and the cells.
 struct Site {
   std::vector<Task> tasks = {};

@@ -11,6 +11,7 @@
 #include "search/open_ground.h"
 #include "search/route.h"
 #include "sites/data.h"
+#include "sites/proofs.h"
 #include "sites/site.h"
 #include "sites/way.h"
 #include "vandplan/input_error.h"
@@ -26,6 +27,7 @@ using sites::SiteData, sites::SiteGrid, sites::SiteLayer, sites::between, sites:
 constexpr const char* no_trailer =
     "no trailer, as ways of a table are of the tractor alone: plan instead";
 constexpr std::size_t starts_of_block = 256;  // starts of a matrix that a thread takes at once
+constexpr double never = std::numeric_limits<double>::infinity();
 
 /// Lower bound of what plans cost on open ground, and so at most a cost that was found [m].
 double lower_bound(const Task& task, const CostRule& rule, double found) {
@@ -33,13 +35,14 @@ double lower_bound(const Task& task, const CostRule& rule, double found) {
   return std::min(least * (1 - search::rounding_of_cost), found);
 }
 
-/// Why a table has no way from a free start to the goal of a task.
+/// Why a table has no way from a start to the goal of a task.
 SiteOutcome why_no_way(const SiteTable& table, const Pose& start, const Task& task) {
+  if (!task.checker->is_free(task.start)) return SiteOutcome::start_in_collision;
+  if (!task.checker->is_free(task.goal)) return SiteOutcome::goal_in_collision;
   const Bounds box = table.bounds();
   const bool is_inside =
       start.x >= box.x_min && start.x < box.x_max && start.y >= box.y_min && start.y < box.y_max;
-  if (!is_inside) return SiteOutcome::outside;
-  return task.checker->is_free(task.goal) ? SiteOutcome::no_way : SiteOutcome::goal_in_collision;
+  return is_inside ? SiteOutcome::no_way : SiteOutcome::outside;
 }
 
 }  // namespace
@@ -89,6 +92,11 @@ std::string_view name_of(SiteOutcome outcome) noexcept {
   return names[static_cast<std::size_t>(outcome)];
 }
 
+bool sites::is_proven_empty(SiteOutcome outcome) noexcept {
+  return outcome == SiteOutcome::start_in_collision || outcome == SiteOutcome::goal_in_collision ||
+         outcome == SiteOutcome::no_path;
+}
+
 std::optional<SiteWay> site_way(const SiteTable& table, const Problem& problem,
                                 const PlanOptions& options) {
   const bool is_one = problem.goal_set().empty() && problem.via().empty();
@@ -129,16 +137,18 @@ std::vector<SiteCost> site_matrix(const SiteTable& table, const Problem& problem
     Task open = task;
     for (std::size_t i = begin; i < end; ++i) {
       SiteCost& cost = costs[i * goals.size() + j];
+      open.start = from[i];
       const bool is_free = task.checker->is_free(from[i]);
       const auto way = is_free ? ways.find(from[i]) : std::nullopt;
       if (way) cost.cost = way->cost;
-      cost.outcome = way        ? SiteOutcome::way
-                     : !is_free ? SiteOutcome::start_in_collision
-                                : why_no_way(table, starts[i], task);
-      open.start = from[i];
+      cost.outcome = way ? SiteOutcome::way : why_no_way(table, starts[i], open);
       cost.lower_bound = lower_bound(open, rule, cost.cost);
     }
   });
+  sites::prove_empty_entries(problem, starts, goals, options, std::max(1, threads), costs);
+  for (SiteCost& cost : costs) {
+    if (sites::is_proven_empty(cost.outcome)) cost.lower_bound = never;
+  }
   return costs;
 }
 

@@ -572,7 +572,7 @@ TEST_F(TableCommand, OfASiteGivesAMatrix) {
   const std::string made = content_of(folder_ / "m.csv");
   EXPECT_EQ(made.substr(0, made.find('\n')), "start,goal,cost,lower_bound");
   EXPECT_EQ(std::count(made.begin(), made.end(), '\n'), 7);
-  EXPECT_NE(made.find("\n1,0,,"), std::string::npos);  // the second start is in a wall
+  EXPECT_NE(made.find("\n1,0,,inf\n"), std::string::npos);  // the second start is in a wall
   EXPECT_EQ(made.find("\n2,1,,"), std::string::npos);
   (void)json_of({"site", scenario, "--goals", goals, "-o", table});
   EXPECT_EQ(matrix({"--site", table}).status, 0);
@@ -589,7 +589,7 @@ TEST_F(TableCommand, OfASiteGivesAMatrix) {
   EXPECT_EQ(matrix({"--site", table, "--max-iterations", "60"}).status, 0);
   const std::string planned = content_of(folder_ / "m.csv");
   EXPECT_EQ(std::count(planned.begin(), planned.end(), '\n'), 5);
-  EXPECT_NE(planned.find("\n1,0,,0\n"), std::string::npos) << planned;
+  EXPECT_NE(planned.find("\n1,0,,inf\n"), std::string::npos) << planned;
   EXPECT_EQ(planned.find("\n0,0,,"), std::string::npos) << planned;
   EXPECT_EQ(matrix({"--site", table, "--max-iterations", "0"}).status, 2);
   write_content(scenario, yard_from("{x: -17, y: 15, heading: 1}"));

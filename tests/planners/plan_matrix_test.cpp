@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -98,19 +99,67 @@ TEST(PlanMatrix, SaysWhyThereIsNoCost) {
   const PlanOptions options = options_for(problem, 2000);
   const auto expect = [&](const std::vector<SiteCost>& costs, std::vector<SiteOutcome> outcomes) {
     for (std::size_t i = 0; i < costs.size(); ++i) {
-      EXPECT_EQ(costs[i].outcome, outcomes[i / docks.size()]) << name_of(costs[i].outcome);
-      EXPECT_EQ(std::isinf(costs[i].cost), costs[i].outcome > SiteOutcome::plan) << i;
+      const SiteOutcome outcome = outcomes[i / docks.size()];
+      EXPECT_EQ(costs[i].outcome, outcome) << name_of(costs[i].outcome);
+      EXPECT_EQ(std::isinf(costs[i].cost), outcome > SiteOutcome::plan) << i;
+      const bool is_proven =
+          outcome == SiteOutcome::start_in_collision || outcome == SiteOutcome::no_path;
+      EXPECT_EQ(std::isinf(costs[i].lower_bound), is_proven) << i;
     }
   };
   expect(site_matrix(*options.site, problem, from, options),
          {SiteOutcome::way, SiteOutcome::start_in_collision, SiteOutcome::outside,
-          SiteOutcome::no_way});
+          SiteOutcome::no_path});
   expect(plan_matrix(problem, from, options), {SiteOutcome::plan, SiteOutcome::start_in_collision,
                                                SiteOutcome::plan, SiteOutcome::no_path});
-  const PlanOptions briefly = options_for(problem, 1);
-  EXPECT_EQ(plan_matrix(problem, std::vector{from[3]}, briefly)[0].outcome, SiteOutcome::no_plan);
   EXPECT_EQ(name_of(SiteOutcome::no_plan), "no_plan");
   EXPECT_EQ(name_of(SiteOutcome::way), "way");
+}
+
+TEST(PlanMatrix, DoesNotClaimAProofWhereAGateIsWideEnough) {
+  std::vector<Polygon> obstacles = walls;
+  for (const Polygon& side : {box(-38, 18, -18, 19), box(-38, 37, -18, 38), box(-38, 18, -37, 38),
+                              box(-19, 18, -18, 26.6), box(-19, 29.4, -18, 38)}) {
+    obstacles.push_back(side);
+  }
+  const Problem problem = problem_of({20, 0, 0}, docks[0], obstacles, area);
+  const std::vector<Pose> from = {{-32, 28, 1.6}};
+  for (const SiteCost& cost :
+       site_matrix(*options_for(problem, 1).site, problem, from, options_for(problem, 1))) {
+    EXPECT_LT(cost.outcome, SiteOutcome::no_path);
+    EXPECT_TRUE(std::isfinite(cost.lower_bound));
+  }
+  const Problem towed = problem_of({20, 0, 0}, docks[0], obstacles, area, semitrailer());
+  const std::vector<Pose> of_rig = {{-25, 31, 0.8}};
+  const SiteCost briefly = plan_matrix(towed, of_rig, options_for(towed, 1))[0];
+  EXPECT_EQ(briefly.outcome, SiteOutcome::no_plan);
+  EXPECT_TRUE(std::isfinite(briefly.lower_bound));
+}
+
+// Goals in a cage and in a street that only leads out, among others, with a start in a pen.
+TEST(PlanMatrix, ProvesWhichPairsWallsAndOneWayStreetsPart) {
+  Surroundings ground{.bounds = area};
+  ground.obstacles = {box(-38, 18, -18, 19), box(-38, 37, -18, 38), box(-38, 18, -37, 38),
+                      box(-19, 18, -18, 38), box(18, 18, 19, 38),   box(18, 37, 38, 38),
+                      box(37, 18, 38, 38)};
+  ground.zones.push_back({.area = box(18, 14, 38, 20), .direction = HeadingRange{-1.9, -1.2}});
+  const Problem problem = problem_in(ground, {20, 0, 0}, docks[0]);
+  const std::vector<Pose> goals = {docks[0], {-28, 28, 0}, {28, 28, 0}, {-26, 30, 1}};
+  const std::vector<Pose> from = {{-20, 5, 1}, {-30, 28, 0}, {28, 30, -1.5708}};
+  const PlanOptions options = drivers_options();
+  SiteTableOptions as = coarse;
+  as.starts = from;
+  const SiteTable table = make_site_table(problem, goals, options, as).value();
+  const std::vector<SiteCost> costs = site_matrix(table, problem, from, options);
+  const std::vector<std::vector<bool>> parted = {
+      {false, true, true, true}, {true, false, true, false}, {false, true, false, true}};
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    const bool is_parted = parted[i / goals.size()][i % goals.size()];
+    EXPECT_EQ(costs[i].outcome == SiteOutcome::no_path, is_parted) << i;
+    EXPECT_EQ(std::isinf(costs[i].lower_bound), is_parted) << i;
+  }
+  const std::vector<SiteCost> by_two = site_matrix(table, problem, from, options, 2);
+  for (std::size_t i = 0; i < costs.size(); ++i) EXPECT_EQ(costs[i].outcome, by_two[i].outcome);
 }
 
 TEST(PlanMatrix, SaysThatAGoalIsNotFree) {
@@ -124,6 +173,7 @@ TEST(PlanMatrix, SaysThatAGoalIsNotFree) {
   const std::vector<SiteCost> costs = site_matrix(changing.table(), changed, starts, options);
   EXPECT_EQ(costs[0].outcome, SiteOutcome::way);
   EXPECT_EQ(costs[1].outcome, SiteOutcome::goal_in_collision);
+  EXPECT_TRUE(std::isinf(costs[1].lower_bound));
 }
 
 TEST(PlanMatrix, HasWhatTheRigDrives) {

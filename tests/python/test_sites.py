@@ -72,6 +72,11 @@ def test_a_matrix_reaches_its_starts_and_leaves_out_goals_that_are_not_free(yard
     assert np.isfinite(cost[:, 0]).all() and np.isinf(cost[:, 1]).all() and (bound > 0).all()
 
 
+def test_a_bound_is_infinite_where_it_is_proven_that_there_is_no_path(yard):
+    cost, bound = vp.matrix(yard, [(45, 45, 0)], [(0, 12, 0), (0, 6, 0)])
+    assert np.isfinite(bound[0, 0]) and np.isinf(cost[0, 1]) and np.isinf(bound[0, 1])
+
+
 def test_a_pair_whose_goal_the_table_lacks_is_named(yard, table):
     with pytest.raises(vp.InputError, match=r"^goals\[1\]: the table has no such goal"):
         vp.plan_many(yard, yard.start, [(0, 12, 0), (0, 13, 0)], site=table)

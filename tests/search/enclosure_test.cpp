@@ -40,6 +40,23 @@ std::vector<Polygon> room(const Point& middle, double half, double gap = 0.0) {
           box(x - half, y - half + gap, x - half + w, y + half)};
 }
 
+TEST(Enclosure, OfSeveralGoalsTellsWhetherAnyCanBeReached) {
+  const Problem problem = problem_of({0, 0, 0}, {60, 0, 0}, room({60, 0}, 12));
+  const auto is_closed_to = [&](const std::vector<LocalPose>& goals) {
+    search::Enclosure enclosure(problem.task(), goals);
+    while (enclosure.step()) {
+    }
+    return enclosure.is_proven();
+  };
+  const LocalPose within = problem.task().goal;
+  const LocalPose beside = Local(Pose{60, 4, 1});
+  const LocalPose outside = Local(Pose{30, 0, 0});
+  EXPECT_TRUE(is_closed_to({}));
+  EXPECT_TRUE(is_closed_to({within, beside}));
+  EXPECT_FALSE(is_closed_to({within, outside}));
+  EXPECT_FALSE(is_closed_to({outside, within}));
+}
+
 TEST(Disc, OfAnOutlineItIsTheWidestOneWithinIt) {
   for_each_case(9, 300, [](Rng& rng) {
     const Vehicle vehicle = any_body(rng);

@@ -269,8 +269,8 @@ Raises InputError for a goal that is not free, or cost="time".)");
 
 Costs of free ways from each start to each goal, and proven lower bounds [m], of shape (N, M).
 
-`goals` are poses or a `SiteTable`. A cost is infinite if no way was found. Bounds are those of open
-ground and hold for every path. With `max_iterations`, costs and bounds are those of plans that
+`goals` are poses or a `SiteTable`. A cost is infinite if no way was found, its bound too if it is
+proven that there is none. Bounds are those of open ground and hold for every path. With `max_iterations`, costs and bounds are those of plans that
 begin with the ways: mostly cheaper, and slower. Where no plan is as cheap, the way's cost stays,
 unless steering="continuous". A trailer needs plans, and is straight at both ends. The other keywords are
 those of `site_table`, with `max_iterations` also the budget of each plan.)");
