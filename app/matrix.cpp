@@ -197,6 +197,21 @@ nlohmann::ordered_json counts_of_empty(const std::vector<SiteCost>& costs) {
   return counts;
 }
 
+/// The cheapest goal of each start that has a cost.
+nlohmann::ordered_json cheapest_of(const std::vector<SiteCost>& costs, std::size_t goals) {
+  auto rows = nlohmann::ordered_json::array();
+  const std::vector<std::optional<CheapestGoal>> cheapest = cheapest_goals(costs, goals);
+  for (std::size_t i = 0; i < cheapest.size(); ++i) {
+    if (!cheapest[i]) continue;
+    rows.push_back({{"start", i},
+                    {"goal", cheapest[i]->goal},
+                    {"cost", cheapest[i]->cost},
+                    {"lower_bound", cheapest[i]->lower_bound},
+                    {"proven", cheapest[i]->is_proven}});
+  }
+  return rows;
+}
+
 int make(const MatrixArguments& arguments) {
   expect_writable(arguments.output);
   const std::stop_token stop = stop_on_signal();
@@ -225,6 +240,7 @@ int make(const MatrixArguments& arguments) {
            {"pairs", costs.size()},
            {"with_way", found},
            {"without", counts_of_empty(costs)},
+           {"cheapest", cheapest_of(costs, ends.goals.poses.size())},
            {"time", time.count()}});
   } else {
     fmt::print("{}: {} pairs, {} with a way, in {:.3f} s\n", printable(arguments.output),

@@ -872,6 +872,9 @@ def matrix(
     max_iterations: int | None = None,
     **options: Unpack[_Options],
 ) -> tuple[_Floats, _Floats]: ...
+def cheapest_goals(
+    cost: ArrayLike, lower_bound: ArrayLike
+) -> tuple[NDArray[np.int64], NDArray[np.bool_]]: ...
 def with_sources(
     sources: Mapping[str, Callable[[Task], Generator[Path | SpeedProfile | Result | None, Any, Any]]],
     *,

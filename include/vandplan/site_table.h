@@ -239,6 +239,19 @@ struct SiteCost {
                                                 std::span<const Pose> starts,
                                                 const PlanOptions& options, int jobs = 1);
 
+/// The goal that costs least from a start.
+struct CheapestGoal {
+  std::size_t goal = 0;      ///< its number
+  double cost = 0.0;         ///< [m]
+  double lower_bound = 0.0;  ///< proven lower bound of the cost of every path to any goal [m]
+  bool is_proven = false;    ///< whether it costs no more than the lower bounds of all other goals
+};
+
+/// The cheapest goal for each start of a matrix with so many goals; of equal ones the first. None
+/// for a start without costs.
+[[nodiscard]] std::vector<std::optional<CheapestGoal>> cheapest_goals(
+    std::span<const SiteCost> costs, std::size_t goals);
+
 // ---- How does a table become a file, and how does a file become a table? ----
 //
 // The functions convert bytes; vandplan/files.h reads and writes them. Layout: docs/formats.md.

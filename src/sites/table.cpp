@@ -97,6 +97,26 @@ bool sites::is_proven_empty(SiteOutcome outcome) noexcept {
          outcome == SiteOutcome::no_path;
 }
 
+std::vector<std::optional<CheapestGoal>> cheapest_goals(std::span<const SiteCost> costs,
+                                                        std::size_t goals) {
+  std::vector<std::optional<CheapestGoal>> cheapest;
+  for (std::size_t i = 0; goals > 0 && i + goals <= costs.size(); i += goals) {
+    const std::span<const SiteCost> row = costs.subspan(i, goals);
+    const auto least = std::ranges::min_element(row, {}, &SiteCost::cost);
+    std::optional<CheapestGoal>& of_start = cheapest.emplace_back();
+    if (least->cost == never) continue;
+    double others = never;
+    for (const SiteCost& cost : row) {
+      if (&cost != &*least) others = std::min(others, cost.lower_bound);
+    }
+    of_start = {.goal = static_cast<std::size_t>(least - row.begin()),
+                .cost = least->cost,
+                .lower_bound = std::min(least->lower_bound, others),
+                .is_proven = least->cost <= others};
+  }
+  return cheapest;
+}
+
 std::optional<SiteWay> site_way(const SiteTable& table, const Problem& problem,
                                 const PlanOptions& options) {
   const bool is_one = problem.goal_set().empty() && problem.via().empty();

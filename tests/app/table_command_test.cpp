@@ -535,6 +535,14 @@ TEST_F(TableCommand, AMatrixSaysWhyAnEntryIsEmpty) {
   const Json counts = Json::parse(known.out);
   EXPECT_EQ(counts["with_way"], 2);
   EXPECT_EQ(counts["without"], Json::parse(R"({"start_in_collision": 2, "outside": 2})"));
+  ASSERT_EQ(counts["cheapest"].size(), 1U);  // the other starts have no costs
+  const Json cheapest = counts["cheapest"][0];
+  EXPECT_EQ(cheapest["start"], 0);
+  EXPECT_LE(cheapest["lower_bound"], cheapest["cost"]);
+  EXPECT_TRUE(cheapest["proven"].is_boolean());
+  const std::string of_start =
+      "\n0," + cheapest["goal"].dump() + "," + cheapest["cost"].dump() + ",";
+  EXPECT_NE(content_of(folder_ / "m.csv").find(of_start), std::string::npos) << of_start;
   const Outcome plans = matrix({"--max-iterations", "900"});
   EXPECT_EQ(plans.err, in_wall);
   EXPECT_EQ(Json::parse(plans.out)["without"], Json::parse(R"({"start_in_collision": 2})"));

@@ -162,6 +162,30 @@ TEST(PlanMatrix, ProvesWhichPairsWallsAndOneWayStreetsPart) {
   for (std::size_t i = 0; i < costs.size(); ++i) EXPECT_EQ(costs[i].outcome, by_two[i].outcome);
 }
 
+TEST(CheapestGoals, AreProvenByTheBoundsOfTheOthers) {
+  const auto way = [](double cost, double bound) {
+    return SiteCost{.cost = cost, .lower_bound = bound, .outcome = SiteOutcome::way};
+  };
+  const double never = std::numeric_limits<double>::infinity();
+  const std::vector<SiteCost> costs = {
+      way(9, 5), way(7, 6),         way(30, 7),        way(9, 5),  way(7, 4),  way(7, 6),
+      way(9, 8), way(never, never), way(never, never), SiteCost{}, SiteCost{}, way(never, never)};
+  const auto cheapest = cheapest_goals(costs, 3);
+  ASSERT_EQ(cheapest.size(), 4U);
+  EXPECT_EQ(cheapest[0]->goal, 1U);
+  EXPECT_FALSE(cheapest[0]->is_proven);  // the first goal may cost 5
+  EXPECT_EQ(cheapest[0]->cost, 7);
+  EXPECT_EQ(cheapest[0]->lower_bound, 5);
+  EXPECT_EQ(cheapest[1]->goal, 1U);
+  EXPECT_EQ(cheapest[1]->lower_bound, 4);
+  EXPECT_EQ(cheapest[2]->goal, 0U);
+  EXPECT_TRUE(cheapest[2]->is_proven);
+  EXPECT_EQ(cheapest[2]->lower_bound, 8);
+  EXPECT_FALSE(cheapest[3]);
+  EXPECT_TRUE(cheapest_goals(std::vector{way(9, 5), way(11, 9)}, 2)[0]->is_proven);
+  EXPECT_TRUE(cheapest_goals({}, 3).empty());
+}
+
 TEST(PlanMatrix, SaysThatAGoalIsNotFree) {
   const Problem problem = problem_for({});
   const PlanOptions options = drivers_options();

@@ -77,6 +77,15 @@ def test_a_bound_is_infinite_where_it_is_proven_that_there_is_no_path(yard):
     assert np.isfinite(bound[0, 0]) and np.isinf(cost[0, 1]) and np.isinf(bound[0, 1])
 
 
+def test_the_cheapest_goal_is_proven_by_the_bounds_of_the_others():
+    cost = np.array([[9, 7, 30], [9, 7, 30], [np.inf, np.inf, np.inf]])
+    bound = np.array([[5, 6, 7], [7, 4, np.inf], [0, np.inf, 0]])
+    goal, is_proven = vp.cheapest_goals(cost, bound)
+    assert goal.tolist() == [1, 1, -1] and is_proven.tolist() == [False, True, False]
+    with pytest.raises(vp.InputError, match="^lower_bound: expected"):
+        vp.cheapest_goals(cost, bound[:2])
+
+
 def test_a_pair_whose_goal_the_table_lacks_is_named(yard, table):
     with pytest.raises(vp.InputError, match=r"^goals\[1\]: the table has no such goal"):
         vp.plan_many(yard, yard.start, [(0, 12, 0), (0, 13, 0)], site=table)

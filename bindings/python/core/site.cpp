@@ -169,6 +169,26 @@ py::tuple matrix(const CheckedScenario& scenario, const py::object& starts, cons
   return py::make_tuple(cost, bound);
 }
 
+py::tuple cheapest_of(const Numbers& cost, const Numbers& bound) {
+  const bool is_matrix = cost.ndim() == 2 && bound.ndim() == 2 && cost.shape(0) == bound.shape(0) &&
+                         cost.shape(1) == bound.shape(1) && cost.shape(1) > 0;
+  if (!is_matrix) {
+    throw InputError("lower_bound", "expected the costs and bounds of a matrix, of shape (N, M)");
+  }
+  std::vector<SiteCost> costs(static_cast<std::size_t>(cost.size()));
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    costs[i] = {.cost = cost.data()[i], .lower_bound = bound.data()[i]};
+  }
+  const auto cheapest = cheapest_goals(costs, static_cast<std::size_t>(cost.shape(1)));
+  py::array_t<py::ssize_t> goal(cost.shape(0));
+  py::array_t<bool> is_proven(cost.shape(0));
+  for (std::size_t i = 0; i < cheapest.size(); ++i) {
+    goal.mutable_data()[i] = cheapest[i] ? static_cast<py::ssize_t>(cheapest[i]->goal) : -1;
+    is_proven.mutable_data()[i] = cheapest[i] && cheapest[i]->is_proven;
+  }
+  return py::make_tuple(goal, is_proven);
+}
+
 void bind_table(py::module_& module) {
   py::class_<SiteTable>(module, "SiteTable",
                         R"(Costs of driving from everywhere on a site to its goals.
@@ -274,6 +294,12 @@ proven that there is none. Bounds are those of open ground and hold for every pa
 begin with the ways: mostly cheaper, and slower. Where no plan is as cheap, the way's cost stays,
 unless steering="continuous". A trailer needs plans, and is straight at both ends. The other keywords are
 those of `site_table`, with `max_iterations` also the budget of each plan.)");
+  module.def("cheapest_goals", &cheapest_of, "cost"_a, "lower_bound"_a,
+             R"(cheapest_goals(cost, lower_bound) -> (goal, is_proven)
+
+The goal that costs least from each start, by its number; -1 if none was found. `cost` and
+`lower_bound` are those of `matrix`. It is proven to be the cheapest if it costs no more than the
+lower bounds of all other goals.)");
   module.def("read_site_table", &read_table, "file"_a,
              "read_site_table(file) -> SiteTable\n\nReads a file of `SiteTable.save` or the "
              "command line.");
