@@ -2,7 +2,9 @@
 // Copyright (c) 2026, the Vändplan authors
 #include "search/drive_field.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <span>
 
@@ -35,7 +37,9 @@ DriveField::DriveField(Connector& connector, ClearanceRaster& raster, const Boun
       turn_(2 * std::numbers::pi / options.headings),
       x_min_(static_cast<float>(box.x_min)),
       y_min_(static_cast<float>(box.y_min)),
-      cutoff_(static_cast<float>(most)) {
+      // Finite, so that what leads nowhere never waits.
+      cutoff_(static_cast<float>(
+          std::min(most, static_cast<double>(std::numeric_limits<float>::max())))) {
   const double radius = connector.radius();
   const double cell = options.cell * radius;
   const CostRule& rule = connector.rule();

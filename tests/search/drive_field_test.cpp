@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -210,6 +211,15 @@ TEST(DriveField, AWayToANodeIsDrivenAsItIsCounted) {
       EXPECT_GE(counted * (1 + 1e-5) + 1e-3,
                 fields.back.least_cost(problem.task().goal, Local(end), {Driven(0), driven.gear}));
     }
+  });
+}
+
+TEST(DriveField, WaitsForNothingWhereTheOtherFieldKnowsNoWay) {
+  for_each_case(5, 5, [](Rng& rng) {
+    const Problem problem = some_problem(rng);
+    Fields fields(problem, driver, {}, std::numeric_limits<double>::infinity());
+    fields.from_start.look_towards(fields.from_goal);  // which has not begun
+    EXPECT_TRUE(fields.from_start.is_exhausted());
   });
 }
 
