@@ -216,7 +216,7 @@ struct SiteCost {
 
 /// Costs from each start to each goal of a table, in the scenario's frame: start by start, and for
 /// each start as many as there are goals. They are those of ways, as `SiteWay::cost`. Lower bounds
-/// are of open ground, and at most the cost. They are infinite where an end is not free, or walls,
+/// are of open ground, and at most the cost. A bound is infinite if an end is not free, or walls,
 /// zones or one-way streets are proven to part start and goal. As those of plans, they hold for all
 /// paths that the judge accepts, but by length for exact ends only. Start and goal of the problem
 /// do not matter; the options must be complete. `threads` share the pairs, with equal results;

@@ -19,7 +19,7 @@ constexpr int steps_of_start = 1000;
 constexpr int steps_of_flood = 100;
 
 /// Proofs from one start. Goals are tried together, since one flood tells of all that nothing leads
-/// to any of them. Where it does not, halves of them are tried.
+/// to any of these goals. If it tells nothing, halves of the goals are tried.
 class ProofsFrom {
  public:
   ProofsFrom(const Task& task, const PlanOptions& options, const std::vector<LocalPose>& goals)
